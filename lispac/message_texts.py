@@ -12,10 +12,74 @@ import numpy as np
 
 from lispac.messages import Action, Message
 
-TEXTS: Mapping[str, str] = {}
+TEXTS: Mapping[str, str] = {
+    # -- points of a line --------------------------------------------------------------------
+    "audit.time_resolution": (
+        "{line}: point times are in steps of {step:ms} ms, with {points:n} points to each step. "
+        "Positions of points are off by up to {shift:mm} mm and attitudes by up to {turn:deg} deg, "
+        "which does not average out. Export the line with exact times (64 bits)."
+    ),
+    "audit.not_finite": (
+        "{line}: {count:n} points ({share:percent.2} %) have values that are not numbers. "
+        "They are excluded."
+    ),
+    "audit.no_range": (
+        "{line}: {count:n} points ({share:percent.2} %) have no range: shots without an echo. "
+        "They are excluded."
+    ),
+    "audit.too_far": (
+        "{line}: {count:n} points ({share:percent.2} %) lie beyond the largest range of the "
+        "scanner. They are excluded."
+    ),
+    "audit.duplicates": (
+        "{line}: {count:n} points ({share:percent.2} %) are exact copies of other points. "
+        "They are excluded."
+    ),
+    "audit.withheld": (
+        "{line}: {count:n} points ({share:percent.2} %) have the withheld flag. They are excluded."
+    ),
+    "audit.of_classes": (
+        "{line}: {count:n} points ({share:percent.2} %) are excluded by their class."
+    ),
+    "audit.not_selected": (
+        "{line}: {count:n} points ({share:percent.2} %) do not meet the conditions given for the "
+        "line. They are excluded."
+    ),
+    "audit.not_checked": (
+        "{line} was imported by an earlier version, which did not check its points. "
+        "Import the line again."
+    ),
+    "audit.noise_classes": (
+        "{line}: {count:n} points are classified as noise (class {classes:names}). "
+        "They may lie off the targets. Exclude these classes."
+    ),
+    "audit.several_scanners": (
+        "{line}: the file holds points of {count:n} scanners ({attribute} {values:names}). "
+        "Each scanner has its own boresight and lever arm, so one boresight for all is wrong. "
+        "Split the line, or use one scanner."
+    ),
+    "audit.several_sources": (
+        "{line}: the file holds points of {count:n} sources ({attribute} {values:names}): "
+        "several passes or several scanners. Passes that count as one line are not compared with "
+        "each other, and one boresight does not fit several scanners. Split the line, or use one "
+        "source."
+    ),
+    "audit.several_passes": (
+        "{line}: the file holds {count:n} passes, separated by pauses in which the vessel turned. "
+        "They count as one line and are not compared with each other. Split the line."
+    ),
+    "audit.shared_points": (
+        "{line} and {other} have points in common ({share:percent.1} % of the smaller line). "
+        "Points that count twice make the standard deviations too small. Exclude {smaller}."
+    ),
+}
 """Text of each message code; `MessageFormatter` explains the format specifications."""
 
-ACTIONS: Mapping[str, str] = {}
+ACTIONS: Mapping[str, str] = {
+    "set_option": "Set {name} to {value}",
+    "exclude_line": "Exclude {line}",
+    "split_line": "Split {line} into lines by {by}",
+}
 """Label of each action code, as on a button."""
 
 

@@ -48,7 +48,9 @@ def project(tmp_path: Path) -> Project:
     """Two lines in the scanner frame: LAS with a time shift, PLY."""
     write_sbet(tmp_path / "sbet.out", states())
     points, time = sweep(track(), SMALL)
-    written_las(tmp_path / "raw.laz", 6, points, time - 18.0)
+    raw = written_las(tmp_path / "raw.laz", 6, points, time - 18.0)
+    raw.withheld[:] = 0
+    raw.write(tmp_path / "raw.laz")
     open3d_cloud(tmp_path / "other.ply")
     shifted = Reading("las", (), 18.0)
     return Project(

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.registry import PointChunk
 from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.store.original import original_of
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import _from, _usable, import_line
+from lispac.workflow.importing import _Source, import_line
+from lispac.workflow.line_points import LinePoints
 from lispac.workflow.projects import (
     create_project,
     require_folder,
@@ -62,34 +63,16 @@ def test_points_that_a_latency_takes_out_of_the_trajectory_are_left_out(
     assert survey.scans["all"].first_time == times[inside][0]
 
 
-def test_a_chunk_without_points_says_nothing_of_poses(project: Project) -> None:
-    """As a text file gives one at its end."""
+@pytest.mark.parametrize("first", [0, 3, 4, 700, 1000])
+def test_an_import_taken_up_again_has_the_rest_with_its_places(
+    project: Project, first: int
+) -> None:
+    (line,) = project.lines
     trajectory, _ = local_trajectory(project)
-    assert _usable(np.zeros(0), 0.0, trajectory) is None
-    inside = np.array([START + 1.0, START + 2.0])
-    assert _usable(inside, 0.0, trajectory) is None
-    found = _usable(inside, -1.5, trajectory)
-    assert found is not None
-    assert found.tolist() == [False, True]
-
-
-@pytest.mark.parametrize("first", [0, 3, 4, 7, 11])
-def test_an_import_taken_up_again_has_the_rest_with_its_places(first: int) -> None:
-    """Chunks that were taken in already are passed over, a chunk begun is given from there on."""
-    sizes, at = (4, 4, 3), 0
-    chunks = []
-    for size in sizes:
-        own = np.arange(at, at + size)
-        xyz = np.repeat(own[:, None], 3, axis=1).astype(float)
-        chunks.append(PointChunk(xyz, own.astype(float), {"ring": own}, 11))
-        at += size
-    got = list(_from(iter(chunks), 0, first))
-    rest = [int(value) for chunk, _ in got for value in chunk.time]
-    assert rest == list(range(first, 11))
-    for chunk, read in got:
-        (index,) = (values for name, values in chunk.extra.items() if name != "ring")
-        assert index.tolist() == chunk.extra["ring"].tolist() == chunk.xyz[:, 0].tolist()
-        assert read == np.cumsum(sizes)[np.searchsorted(np.cumsum(sizes), index[-1], "right")]
+    points = LinePoints(line, trajectory, project.mounting("prior"))
+    source = _Source(points, original_of(line.path))
+    index = np.concatenate([piece.index for piece in source.pieces(first)])
+    assert index.tolist() == list(range(first, points.audit.read))
 
 
 def test_a_line_without_points_is_not_imported(project: Project, folder: Path) -> None:

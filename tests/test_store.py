@@ -308,8 +308,12 @@ def test_checksums_are_joined(first: bytes, second: bytes) -> None:
 
 def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
     recipe = Recipe("L1", Original("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, {"mounting": [0]})
-    write_store(tmp_path, recipe, LINE.pieces(1000), place, lambda lost: (f"{lost} left out",))
+    write_store(
+        tmp_path, recipe, LINE.pieces(1000), place, lambda: (("read as it is",), {"read": 3})
+    )
     manifest = open_store(tmp_path, "L1").manifest
     assert (manifest.original, manifest.made_with) == (recipe.original, recipe.made_with)
     assert manifest.placed_with == recipe.placed_with
-    assert manifest.assumptions == (f"{LINE.index[-1] + 1 - len(LINE)} left out",)
+    assert manifest.assumptions == ("read as it is",)
+    assert manifest.audit == {"read": 3}
+    assert manifest.left_out == LINE.index[-1] + 1 - len(LINE)

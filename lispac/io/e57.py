@@ -31,6 +31,7 @@ from lispac.io.points import (
     sniffer,
     table,
     time_base,
+    usable_points,
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, Option, PointChunk
 from lispac.io.sight import sight
@@ -112,7 +113,7 @@ def look(path: Path, choice: Choice) -> Finding:
         )
     base = "gps-full" if {**found, **choice}["time_from"] == START else ""
     found["time_base"] = base
-    posed = _chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count)
+    posed = usable_points(_chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count))
     seen = sight(posed.xyz, posed.time, crs=system)
     found["frame"] = seen.frame
     settled = E57.settled({**found, **choice})

@@ -13,7 +13,6 @@ from lispac.io.las_crs import stated_system
 from lispac.io.las_guard import require_sound_header
 from lispac.io.points import (
     CHUNK,
-    LARGEST,
     PLACE,
     PREVIEW,
     base_doubts,
@@ -25,10 +24,12 @@ from lispac.io.points import (
     sniffer,
     table,
     time_base,
+    usable_numbers,
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
 from lispac.survey.kernels import scaled
+from lispac.survey.screening import LARGEST
 
 LARGEST_CHUNK = 1 << 28
 """Bytes of point records read at once, whatever size a header claims for one."""
@@ -64,6 +65,10 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
             values = self._known[name] = np.array(self.record[name])
         return values
 
+    def rows(self, chosen: NDArray[np.bool_]) -> "PackedColumns":
+        """The attributes of some points, still packed; ``chosen`` has shape (n,)."""
+        return PackedColumns(self.record[chosen], list(self._known))
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._known)
 
@@ -98,6 +103,8 @@ def look(path: Path, choice: Choice) -> Finding:
             for name in names
         ]
     require_points(xyz, time, path)
+    good = usable_numbers(xyz, time)
+    xyz, time = xyz[good], time[good]
     low, high = np.asarray(header.mins), np.asarray(header.maxs)
     bounded = bool((np.abs([low, high]) <= LARGEST).all()) and bool(
         ((xyz >= low - 0.01) & (xyz <= high + 0.01)).all()

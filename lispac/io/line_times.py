@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.las_guard import require_sound_header
-from lispac.io.points import FRAME, SCANNER, plainly, scale_of
+from lispac.io.points import FRAME, SCANNER, plainly, scale_of, usable_points
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.progress import Progress, no_progress
 from lispac.survey.recovery import require_scanner_frame
@@ -102,28 +102,32 @@ def _counted_on(found: LineTimes, stated: str) -> LineTimes:
 
 
 def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Progress) -> LineTimes:
-    started, done = clock.monotonic(), 0
+    started, done, read = clock.monotonic(), 0, 0
     parts: list[Array] = []
     place = np.zeros(3)
     start, end, ended, total = np.inf, -np.inf, True, None
-    for chunk in chunks:
+    for whole in chunks:
+        read += len(whole.time)
+        chunk = usable_points(whole)
+        if not len(chunk.time):
+            continue
         if not done:
             if scanner:
                 require_scanner_frame(chunk.xyz, path)
-            place = np.asarray(chunk.xyz[0], dtype=np.float64)
+            place = np.asarray(chunk.xyz[len(chunk.xyz) // 2], dtype=np.float64)
         done += len(chunk.time)
         start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
         parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // KEPT)]))
         total = chunk.total
         progress(done / max(total or 2 * done, 1), f"{path.name}: {done:,} points looked at")
         if clock.monotonic() - started > LONGEST:
-            ended = total is not None and done >= total
+            ended = total is not None and read >= total
             break
     if not done:
         raise InputError(f"{path}: this line holds no points; leave it out.")
     sample = np.concatenate(parts)
     sample = sample[:: max(1, len(sample) // KEPT)]
-    return LineTimes(sample, start, end, done if ended else total, ended, ended, place)
+    return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
 
 
 def _points_of(path: Path) -> int:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import wraps
 from pathlib import Path
 from typing import Any
@@ -11,8 +12,9 @@ from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError, LispacError
 from lispac.io.files import require_file, such
-from lispac.io.registry import NOT, Choice, Option
+from lispac.io.registry import NOT, Choice, Option, PointChunk
 from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
+from lispac.survey.screening import LARGEST, LARGEST_TIME
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import KEYS, base_of, plausible
 from lispac.survey.time_restart import KEYS as KEYS_OF_RESTART
@@ -51,8 +53,22 @@ TIMES_RESTART = Option(
     RESTART, "Where times start again at zero within the line; empty: found by the times",
     ("", *KEYS_OF_RESTART),
 )  # fmt: skip
-PLACE = (FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART)
-"""Options of every reader: where the points are, and when."""
+WITHHELD = Option(
+    "withheld", "Points with the withheld flag: excluded or used", ("exclude", "keep"), "exclude"
+)
+EXCLUDE_CLASSES = Option(
+    "exclude_classes", "Classes of points to exclude, 7 18 for noise; empty: none"
+)
+ONLY = Option(
+    "only", "Use only points with these attributes, scanner_channel=0 or time=1200:1260 for "
+    "example; empty: all",
+)  # fmt: skip
+MAX_RANGE = Option("max_range", "Largest range of the scanner in metres; empty: 5000")
+PLACE = (
+    FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART, WITHHELD,
+    EXCLUDE_CLASSES, ONLY, MAX_RANGE,
+)  # fmt: skip
+"""Options of every reader: where the points are, when, and which of them are used."""
 
 SECONDS = {"second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9}
 TIME_FIELD = Option("time_field", "Name of the field with the time; empty: by the usual names")
@@ -65,8 +81,6 @@ TIME_NAMES = (
 
 COARSEST_TIME = 1e-3
 """Seconds: at 10 deg/s, a brisk turn, a vessel turns by 0.01 deg in it."""
-LARGEST, LARGEST_TIME = 1e9, 1e11
-"""No coordinate on earth in any unit, and no time in seconds, is larger."""
 NO_SYSTEM = "names no coordinate system"
 
 
@@ -202,8 +216,14 @@ def field_of_time(path: Path, names: Sequence[str], wanted: str) -> str:
     )
 
 
+MOST_UNUSABLE = 0.25
+"""Share of values that are no usable numbers from which a file is refused."""
+
+
 def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -> None:
-    """Refuse coordinates or times that are not numbers, and times too coarse to be used.
+    """Refuse points of which many are not usable numbers, and times too coarse to be used.
+
+    Single points with such values are excluded later, by `lispac.survey.screening`.
 
     Parameters
     ----------
@@ -218,15 +238,16 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
     InputError
     """
     if not (_within(xyz, LARGEST) and _within(time, LARGEST_TIME)):
-        good = (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME)
+        good = usable_numbers(xyz, time)
         bad = int((~good).sum())
-        swapped = bad > len(good) / 4 and len(good) > 10
-        hint = ", as where the byte order is another one than the file says" if swapped else ""
-        raise InputError(
-            f"{path}: point {first + int(np.argmin(good)) + 1:,} has a coordinate or time that is "
-            f"not a usable number ({such(bad, 'point')} up to here{hint}); "
-            "clean or export it again."
-        )
+        if bad > MOST_UNUSABLE * len(good):
+            hint = ", as where the byte order is another one than the file says"
+            raise InputError(
+                f"{path}: point {first + int(np.argmin(good)) + 1:,} has a coordinate or time that "
+                f"is not a usable number ({such(bad, 'point')} up to here{hint}); "
+                "clean or export it again."
+            )
+        time = time[good]
     step = coarseness(time)
     if step > COARSEST_TIME:
         raise InputError(
@@ -241,6 +262,22 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
         )
 
 
+def usable_numbers(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which points have coordinates (n, 3) and times (n,) that are usable numbers, shape (n,)."""
+    return np.asarray(
+        (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME), dtype=bool
+    )
+
+
+def usable_points(chunk: PointChunk) -> PointChunk:
+    """The points of a chunk whose coordinates and times are usable numbers."""
+    good = usable_numbers(chunk.xyz, chunk.time)
+    if good.all():
+        return chunk
+    extra = {name: values[good] for name, values in chunk.extra.items()}
+    return replace(chunk, xyz=chunk.xyz[good], time=chunk.time[good], extra=extra)
+
+
 def _within(values: NDArray[Any], limit: float) -> bool:
     """Whether all values are numbers up to a limit; not a number is neither above nor below."""
     return not len(values) or bool(values.min() >= -limit and values.max() <= limit)
@@ -248,9 +285,10 @@ def _within(values: NDArray[Any], limit: float) -> bool:
 
 def coarseness(time: NDArray[Any], seconds: float = 1.0) -> float:
     """Steps of ``time`` (n,) stored with 32 bits, seconds; zero for 64 bits."""
-    if time.dtype != np.float32 or not len(time):
+    finite = time[np.isfinite(time)] if time.dtype == np.float32 else time[:0]
+    if not len(finite):
         return 0.0
-    return float(np.spacing(np.float32(np.max(np.abs(time))))) * seconds
+    return float(np.spacing(np.float32(np.max(np.abs(finite))))) * seconds
 
 
 def time_base(time: NDArray[np.float64], stated: str) -> str:

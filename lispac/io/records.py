@@ -20,6 +20,7 @@ from lispac.io.points import (
     scale_of,
     table,
     time_base,
+    usable_points,
 )
 from lispac.io.registry import Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
@@ -188,6 +189,7 @@ def finding(
     first = {name: values[:PREVIEW] for name, values in columns.items()}
     field = field_of_time(path, tuple(first), str(choice["time_field"]))
     chunk = points_of(first, {**choice, "unit": "metre"}, path, done=0, total=count)
+    chunk = usable_points(chunk)
     stored_time = first[field]
     seen = sight(chunk.xyz, chunk.time, crs=str(choice["crs"]))
     doubts = list(seen.doubts)

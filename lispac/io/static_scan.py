@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io import e57, las_chunks, pts
-from lispac.io.points import LARGEST, plainly, require_filled
+from lispac.io.points import plainly, require_filled
 from lispac.io.registry import NOT
 from lispac.io.seed_file import header_of, separator_of
 from lispac.io.text_layout import REMARKS, SEPARATORS
 from lispac.io.text_table import fields_of, is_number, lines_of
+from lispac.survey.screening import LARGEST
 
 Array = NDArray[np.float64]
 

@@ -26,6 +26,7 @@ from lispac.io.points import (
     scale_of,
     sniffer,
     time_base,
+    usable_points,
 )
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, Option, PointChunk
 from lispac.io.sight import sight
@@ -89,6 +90,7 @@ def look(path: Path, choice: Choice) -> Finding:
     if chunk is None:
         raise InputError(f"{path}: this line holds no points; leave it out.")
     require_points(chunk.xyz, chunk.time, path)
+    chunk = usable_points(chunk)
     seen = sight(chunk.xyz, chunk.time, crs=str(choice.get("crs", "")))
     found["frame"] = seen.frame
     units, crs = units_in(lines, layout), str(choice.get("crs", ""))

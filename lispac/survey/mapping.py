@@ -119,8 +119,15 @@ class PointMapper:
         _run(run, len(time), threads)
         return points
 
-    def to_scanner(self, points_map: Array, time: Array, *, threads: int | None = None) -> Array:
+    def to_scanner(
+        self, points_map: Array, time: Array, *, threads: int | None = None, strict: bool = True
+    ) -> Array:
         """The inverse of `to_map`, shape (n, 3), metres, LiDAR frame.
+
+        Parameters
+        ----------
+        strict : bool
+            Refuse points outside the coordinate system; otherwise they are not finite.
 
         Raises
         ------
@@ -137,7 +144,9 @@ class PointMapper:
             if fit is not None and self.system is not None:
                 missed = fit.apply(piece)
                 if missed.any():
-                    piece[missed] = self.system.to_local(piece[missed], self.trajectory.frame)
+                    piece[missed] = self.system.to_local(
+                        piece[missed], self.trajectory.frame, strict=strict
+                    )
             good = kernels.scanned(piece, time[rows], *self._arguments, piece)
             self._require(bool(good), time[rows])
 

@@ -93,8 +93,10 @@ class Recovery:
         """
         return self.trajectory.covers(time + self.mounting.latency)
 
-    def points_lidar(self, points_crs: Array, time: Array) -> Array:
+    def points_lidar(self, points_crs: Array, time: Array, *, threads: int | None = None) -> Array:
         """Recover points in the LiDAR frame, shape (n, 3), metres.
+
+        Single points outside the coordinate system are not finite.
 
         Parameters
         ----------
@@ -104,9 +106,14 @@ class Recovery:
         Raises
         ------
         InputError
-            Where a time lies outside the trajectory or a point outside the coordinate system.
+            Where a time lies outside the trajectory, most points lie outside the coordinate
+            system, or half come out farther from the scanner than any reaches.
         """
-        return self.mapping.to_scanner(points_crs, time)
+        points_lidar = self.mapping.to_scanner(points_crs, time, threads=threads, strict=False)
+        if 2 * np.count_nonzero(np.isfinite(points_lidar[:, 0])) < len(points_lidar):
+            self.mapping.to_scanner(points_crs, time, threads=threads)
+        require_within_reach(points_lidar, self)
+        return points_lidar
 
 
 def recovered(chunks: Iterable[C], recovery: Recovery) -> Iterator[tuple[C, int]]:
@@ -131,7 +138,6 @@ def recovered(chunks: Iterable[C], recovery: Recovery) -> Iterator[tuple[C, int]
         if lost:
             chunk = _rows(chunk, usable)
         points_lidar = recovery.points_lidar(chunk.xyz, chunk.time)
-        require_within_reach(points_lidar, recovery)
         yield replace(chunk, xyz=points_lidar), lost
 
 

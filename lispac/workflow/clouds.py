@@ -20,7 +20,8 @@ from lispac.io.las_export import Cloud, Pattern, cloud_file
 from lispac.io.registry import PointChunk
 from lispac.progress import Progress, no_progress
 from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery, require_within_reach
+from lispac.survey.recovery import Recovery
+from lispac.survey.screening import MOST_RANGE, within_range
 from lispac.survey.source import USUAL, Reading
 from lispac.survey.store.pace import Pace
 
@@ -42,6 +43,8 @@ class Written:
     outside, in_gaps : int
         Left out, for want of a pose: outside the trajectory's time, or in a gap of it (or where
         it is too steep to be interpolated).
+    excluded : int
+        Left out because they lie farther from the scanner than it measures, or in it.
     notes : tuple of str
         What else there is to know, in words.
     """
@@ -50,6 +53,7 @@ class Written:
     points: int
     outside: int = 0
     in_gaps: int = 0
+    excluded: int = 0
     notes: tuple[str, ...] = ()
 
     @property
@@ -74,6 +78,7 @@ class _Placed:
     records: ScaleAwarePointRecord
     outside: int
     in_gaps: int
+    excluded: int
 
 
 def write_cloud(
@@ -85,6 +90,7 @@ def write_cloud(
     *,
     reading: Reading = USUAL,
     recovery: Recovery | None = None,
+    most_range: float = MOST_RANGE,
     compressed: bool = True,
     progress: Progress = no_progress,
 ) -> Written:
@@ -105,6 +111,8 @@ def write_cloud(
         source.
     recovery : Recovery, optional
         What made the chunks, where they are georeferenced already.
+    most_range : float, metres
+        Largest distance from the scanner of points recovered from a georeferenced cloud.
 
     Raises
     ------
@@ -117,9 +125,9 @@ def write_cloud(
     if first is None:
         raise InputError(f"{path.stem}: this line holds no points; leave it out.")
     chosen = pattern(first)
-    place = _Placing(mapping, reading, recovery)
+    place = _Placing(mapping, reading, recovery, most_range)
     pace, total = Pace(f"Writing {path.name}", first.total), first.total
-    outside = in_gaps = 0
+    outside = in_gaps = excluded = 0
     with cloud_file(
         temporary, chosen, mapping.system, mapping.centre, compressed=compressed, shown=path
     ) as cloud:
@@ -128,10 +136,11 @@ def write_cloud(
         waiting: deque[Future[_Placed]] = deque()
 
         def finish() -> None:
-            nonlocal outside, in_gaps
+            nonlocal outside, in_gaps, excluded
             done = waiting.popleft().result()
             outside, in_gaps = outside + done.outside, in_gaps + done.in_gaps
-            count = cloud.count + outside + in_gaps
+            excluded += done.excluded
+            count = cloud.count + outside + in_gaps + excluded
             # A text file does not say how many points are to come.
             progress(min(count / total, 1.0) if total else 0.5, pace.words(count))
 
@@ -158,7 +167,7 @@ def write_cloud(
             f"({known[0]:.1f} to {known[-1]:.1f} s); check the date and the time base, or leave "
             "the line out."
         )
-    return Written(path, count, outside, in_gaps, chosen.notes)
+    return Written(path, count, outside, in_gaps, excluded, chosen.notes)
 
 
 def _write(cloud: Cloud, placed: "Future[_Placed]") -> _Placed:
@@ -175,6 +184,7 @@ class _Placing:
     mapping: PointMapper
     reading: Reading
     recovery: Recovery | None
+    most_range: float
 
     def __call__(self, cloud: Cloud, chunk: PointChunk) -> _Placed:
         moved = self.reading.moved(chunk.time)
@@ -183,7 +193,7 @@ class _Placing:
         if self.recovery is not None:
             usable &= self.recovery.usable(moved)
         lost = len(usable) - int(np.count_nonzero(usable))
-        outside = 0
+        outside = excluded = 0
         if lost:
             first, last = trajectory.time[[0, -1]] - latency
             outside = min(lost, int(np.count_nonzero(~((moved >= first) & (moved <= last)))))
@@ -191,7 +201,13 @@ class _Placing:
         if lost:
             xyz, stamps, moved, chosen = xyz[usable], stamps[usable], moved[usable], usable
         if self.recovery is not None:
-            xyz = self.recovery.mapping.to_scanner(xyz, moved, threads=1)
-            require_within_reach(xyz, self.recovery)
+            xyz = self.recovery.points_lidar(xyz, moved, threads=1)
+            near = within_range(xyz, self.most_range)
+            if not near.all():
+                xyz, stamps, moved = xyz[near], stamps[near], moved[near]
+                excluded = int(np.count_nonzero(~near))
+                usable[usable] = near
+                chosen = usable
         points = self.mapping.to_map(xyz, moved, threads=1)
-        return _Placed(cloud.records(points, stamps, chunk.extra, chosen), outside, lost - outside)
+        records = cloud.records(points, stamps, chunk.extra, chosen)
+        return _Placed(records, outside, lost - outside, excluded)

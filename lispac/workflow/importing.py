@@ -15,12 +15,10 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import require_file
 from lispac.io.las_export import write_header_alone
-from lispac.io.registry import PointChunk
 from lispac.io.values import encoded
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
-from lispac.survey.recovery import recovered
 from lispac.survey.store.columns import checksum_of
 from lispac.survey.store.layout import MANIFEST, Original
 from lispac.survey.store.original import original_of
@@ -28,8 +26,8 @@ from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.offers import offered, outside
-from lispac.workflow.reading import LAS_ENDINGS, line_stream, local_trajectory
+from lispac.workflow.line_points import FarCopies, LinePoints
+from lispac.workflow.reading import LAS_ENDINGS, local_trajectory
 
 Array = NDArray[np.float64]
 
@@ -39,10 +37,6 @@ HEADER = "header.las"
 """In the folder of a line's columns: the header of its file and the records that go with it."""
 HEADER_SUM = "header.sum"
 """Beside it: its checksum."""
-INDEX = "\0index"
-"""Goes with the points of a chunk through whatever leaves some of them out; no file has it."""
-LOOKED_AT = 100
-"""Times of each chunk that are kept to say what they look like."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,22 +132,27 @@ def import_line(
     mounting = project.mounting("prior")
     started = time.monotonic()
     original = original_of(line.path)
-    source = _Source(line, trajectory, mounting, original)
     recipe = Recipe(
         line.name,
         original,
         _made_with(line, trajectory, mounting),
         {"mounting": mounting.values.tolist()},
     )
-    write_store(
-        folder,
-        recipe,
-        source.pieces,
-        Georeferencer.of(trajectory, mounting),
-        source.assumptions,
-        beside=lambda columns: _keep_header(line, columns),
-        progress=progress,
-    )
+    for far_copies in (False, True):
+        source = _Source(LinePoints(line, trajectory, mounting, far_copies=far_copies), original)
+        try:
+            write_store(
+                folder,
+                replace(recipe, made_with={**recipe.made_with, "far_copies": far_copies}),
+                source.pieces,
+                Georeferencer.of(trajectory, mounting),
+                source.findings,
+                beside=lambda columns: _keep_header(line, columns),
+                progress=progress,
+            )
+        except FarCopies:
+            continue
+        break
     return Imported(open_store(folder, line.name), time.monotonic() - started, reason)
 
 
@@ -260,7 +259,7 @@ CHANGES = {
 
 def _made_with(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> dict[str, Any]:
     """What the content of a store follows from besides the file, as plain values."""
-    on_map = line_stream(line, trajectory, mounting).recovery is not None
+    on_map = LinePoints(line, trajectory, mounting).recovery is not None
     return {
         "reading": json.loads(json.dumps(encoded(line.reading))),  # as it comes back
         "columns": list(line.columns),
@@ -279,66 +278,34 @@ def _fingerprint(trajectory: LocalTrajectory) -> str:
 
 
 class _Source:
-    """The points of a line's file that have a pose, from any of them on."""
+    """The usable points of a line's file, from any of them on, and what was found in them."""
 
-    def __init__(
-        self,
-        line: LineSource,
-        trajectory: LocalTrajectory,
-        mounting: Mounting,
-        original: Original,
-    ) -> None:
-        self._line, self._trajectory, self._mounting = line, trajectory, mounting
-        self._original = original
-        self._looked: list[Array] = []
+    def __init__(self, points: LinePoints, original: Original) -> None:
+        self._points, self._original = points, original
 
-    def assumptions(self, left_out: int) -> tuple[str, ...]:
-        """What was taken for granted and what is left out, in words."""
-        words = line_stream(self._line, self._trajectory, self._mounting).assumptions
-        if left_out:
-            words += (
-                f"{self._line.path.name}: {left_out:,} points outside the trajectory's time, or in "
-                f"a gap of it longer than {self._trajectory.longest_gap:g} s, are left out",
-            )
-            if more := self._offer():
-                words += (f"{self._line.path.name}: {more}",)
-        return words
+    def findings(self) -> tuple[tuple[str, ...], dict[str, Any]]:
+        """What was taken for granted, in words, and the audit as plain values."""
+        return self._points.assumptions, encoded(self._points.audit)
 
     def pieces(self, first: int) -> Iterator[Piece]:
-        """Give the points from index ``first`` of the file on.
+        """Give the usable points from index ``first`` of the file on.
+
+        The file is read from its beginning all the same: the audit covers all of it.
 
         Raises
         ------
         InputError
-            Where the file cannot be read, changes meanwhile, or none of its points has a pose.
+            Where the file cannot be read, changes meanwhile, or none of its points can be used.
+        FarCopies
         """
-        line, trajectory = self._line, self._trajectory
-        stream = line_stream(line, trajectory, self._mounting, first)
-        latency, kept = self._mounting.latency, first
-        looked = self._looked = []
-        for chunk, read in _from(stream.chunks, stream.first, first):
-            # Copied: a view would keep the whole chunk.
-            looked.append(chunk.time[:: max(1, len(chunk.time) // LOOKED_AT)].copy())
-            usable = _usable(chunk.time, latency, trajectory)
-            if usable is not None:
-                chunk = _rows(chunk, usable)
-            if stream.recovery is not None:
-                ((chunk, _),) = recovered([chunk], stream.recovery)
-            kept += len(chunk.time)
-            extra = dict(chunk.extra)
-            index = extra.pop(INDEX)
-            yield Piece(chunk.xyz, chunk.time, index, extra, read, chunk.total)
+        for piece in self._points.pieces():
+            if piece.read > first:
+                start = int(np.searchsorted(piece.index, first))
+                yield piece.rows(start, len(piece)) if start else piece
         self._require_unchanged()
-        if not kept:
-            raise self._outside(np.concatenate(looked) if looked else np.zeros(0))
-
-    def _offer(self) -> str:
-        """What would bring in more; of an import taken up again, by the rest."""
-        times = np.concatenate(self._looked) if self._looked else np.zeros(0)
-        return offered(self._line.reading, times, self._trajectory.time)
 
     def _require_unchanged(self) -> None:
-        path, then = self._line.path, self._original
+        path, then = self._points.line.path, self._original
         try:
             now = path.stat()
         except OSError as error:
@@ -351,42 +318,3 @@ class _Source:
                 f"{path}: the file changed while it was imported; import it again when nothing "
                 "writes to it."
             )
-
-    def _outside(self, times: Array) -> InputError:
-        path, known = self._line.path, self._trajectory.time
-        if not len(times):
-            return InputError(f"{path}: this line holds no points; leave it out.")
-        return InputError(f"{path}: {outside(self._line.reading, times, known)}")
-
-
-def _usable(time: Array, latency: float, trajectory: LocalTrajectory) -> NDArray[np.bool_] | None:
-    """Which points have a pose, as read and with the latency; None where all of them have."""
-    if not len(time):
-        return None
-    ends = np.array([time.min(), time.max()])
-    if not trajectory.has_gaps and trajectory.covers(np.append(ends, ends + latency)).all():
-        return None
-    usable = trajectory.covers(time)
-    if latency:
-        usable &= trajectory.covers(time + latency)
-    return usable
-
-
-def _from(chunks: Iterator[PointChunk], read: int, first: int) -> Iterator[tuple[PointChunk, int]]:
-    """Chunks from the point ``first`` on, each with the places of its points in the file.
-
-    And with how many points there were up to its end; ``read`` is how many there were before all
-    of them.
-    """
-    for chunk in chunks:
-        start, read = read, read + len(chunk.time)
-        if read <= first:
-            continue
-        index = np.arange(start, read)
-        chunk = replace(chunk, extra={**chunk.extra, INDEX: index})
-        yield (_rows(chunk, index >= first) if start < first else chunk), read
-
-
-def _rows(chunk: PointChunk, chosen: NDArray[np.bool_]) -> PointChunk:
-    extra = {name: values[chosen] for name, values in chunk.extra.items()}
-    return replace(chunk, xyz=chunk.xyz[chosen], time=chunk.time[chosen], extra=extra)

@@ -1,6 +1,6 @@
 """A line chunk by chunk from its file, with how it is read."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from lispac.io.formats import format_of
@@ -9,7 +9,8 @@ from lispac.io.points import system_of
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.project import LineSource
 from lispac.survey.crs import CoordinateSystem
-from lispac.workflow.reading import LAS_ENDINGS, in_scanner_frame
+from lispac.workflow.line_points import read_chunks, screened
+from lispac.workflow.reading import LAS_ENDINGS
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +47,8 @@ class Chunks:
         return cls(line, format, choice, system_of(choice, line.path))
 
     def __iter__(self) -> Iterator[PointChunk]:
-        chunks = self.format.read(self.line.path, self.choice)
-        assert isinstance(chunks, Iterable)
-        yield from chunks if self.system else in_scanner_frame(chunks, self.line.path)
+        chunks = read_chunks(self.format.read(self.line.path, self.choice))
+        yield from screened(chunks, self.choice, self.line.path)
 
     def pattern(self, first: PointChunk) -> Pattern:
         """What the records of its cloud look like."""

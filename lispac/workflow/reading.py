@@ -1,6 +1,6 @@
 """Reading the survey's files as their formats say, and looking into a file before it is used."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,18 +11,12 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.files import require_file
 from lispac.io.formats import format_of, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
-from lispac.io.las import read_scan
 from lispac.io.points import NO_SYSTEM, SCANNER, require_filled, system_of
-from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind, PointChunk
+from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.io.static_scan import without_time
 from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
-from lispac.io.text import read_text_scan
 from lispac.project import LineSource, Project, Reading
-from lispac.survey.georeferencing import Mounting
-from lispac.survey.recovery import Recovery, recovered, require_scanner_frame
-from lispac.survey.scan import Scan
-from lispac.survey.time_quality import coverage, joined, left_out
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
 FARTHEST_ORIGIN = 100_000.0
@@ -243,81 +237,6 @@ def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
     return found
 
 
-@dataclass(frozen=True, eq=False)
-class LineStream:
-    """A line as it comes from its file, some points at a time; to be run through once.
-
-    Attributes
-    ----------
-    chunks : iterator of PointChunk
-        In the order of the file, times in the trajectory's time base.
-    recovery : Recovery or None
-        Brings the coordinates to the LiDAR frame; None where they are in it, in metres.
-    assumptions : tuple of str
-        What is taken for granted, in words.
-    first : int
-        Index in the file of the first point.
-    """
-
-    chunks: Iterator[PointChunk]
-    recovery: Recovery | None
-    assumptions: tuple[str, ...]
-    first: int = 0
-
-
-def line_stream(
-    line: LineSource, trajectory: LocalTrajectory, mounting: Mounting, first: int = 0
-) -> LineStream:
-    """Read a line some points at a time, with all attributes of its file.
-
-    Parameters
-    ----------
-    trajectory : LocalTrajectory
-    mounting : Mounting
-        The prior: a georeferenced cloud is taken to have been made with both.
-    first : int
-        Index of a point; those before it are passed over where the format knows how without
-        reading them (``first`` of the stream says so).
-
-    Raises
-    ------
-    InputError
-        Here where the options are not the format's own; the stream raises it where the file is
-        missing or damaged.
-    """
-    format, choice, assumptions = format_of_line(line)
-    settled = format.settled(choice)
-    if format.read_from is not None:
-        chunks, start = format.read_from(line.path, choice, first), first
-    else:
-        chunks, start = _points_of(format, line.path, choice), 0
-    shifted = (replace(chunk, time=line.reading.moved(chunk.time)) for chunk in chunks)
-    system = system_of(settled, line.path)
-    if system is None:
-        return LineStream(in_scanner_frame(shifted, line.path), None, assumptions, start)
-    recovery = Recovery(system, trajectory, mounting, line.path)
-    return LineStream(shifted, recovery, (*assumptions, *recovery.assumptions), start)
-
-
-def in_scanner_frame(chunks: Iterable[PointChunk], path: Path) -> Iterator[PointChunk]:
-    """Chunks of a line in the LiDAR frame, passed on where they can be.
-
-    Raises
-    ------
-    InputError
-        As `lispac.survey.recovery.require_scanner_frame`.
-    """
-    for chunk in chunks:
-        require_scanner_frame(chunk.xyz, path)
-        yield chunk
-
-
-def _points_of(format: Format, path: Path, choice: Choice) -> Iterator[PointChunk]:
-    chunks = format.read(path, choice)
-    assert isinstance(chunks, Iterator)
-    return chunks
-
-
 def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
     """How a line is read in chunks, with what options, and what that takes for granted."""
     if line.reading.format:
@@ -330,53 +249,3 @@ def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
     if line.path.suffix.lower() in LAS_ENDINGS:
         return format_of("las"), {}, LAS_ASSUMPTIONS
     return format_of("text"), {"columns": " ".join(line.columns)}, TEXT_ASSUMPTIONS
-
-
-def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting) -> Scan:
-    """Read one line into the LiDAR frame.
-
-    Parameters
-    ----------
-    trajectory : LocalTrajectory
-    mounting : Mounting
-        The prior: a georeferenced cloud is taken to have been made with both.
-
-    Raises
-    ------
-    InputError
-    """
-    if not line.reading.format:
-        if line.path.suffix.lower() in LAS_ENDINGS:
-            scan = read_scan(line.path)
-        else:
-            scan = read_text_scan(line.path, line.columns)
-        require_scanner_frame(scan.points_lidar, line.path)
-        return replace(scan, time=line.reading.moved(scan.time))
-    stream = line_stream(line, trajectory, mounting)
-    if stream.recovery is None:
-        return _joined(list(stream.chunks), line.path, stream.assumptions)
-    parts, lost, covered = [], 0, []
-    for read in stream.chunks:
-        times = read.time + mounting.latency
-        covered.append(coverage(times, trajectory.time, trajectory.longest_gap))
-        for chunk, out in recovered([read], stream.recovery):
-            parts.append(chunk)
-            lost += out
-    assumptions = stream.assumptions
-    if lost:
-        assumptions += (f"{line.path.name}: {left_out(joined(covered), lost)}",)
-    return _joined(parts, line.path, assumptions)
-
-
-def _joined(parts: list[PointChunk], path: Path, assumptions: tuple[str, ...]) -> Scan:
-    points = np.concatenate([part.xyz for part in parts]) if parts else np.zeros((0, 3))
-    if not len(points):
-        raise InputError(
-            f"{path}: none of its points lies within the trajectory's time; check the date and "
-            "the time base, or leave the line out."
-        )
-    intensity = None
-    if all("intensity" in part.extra for part in parts):
-        intensity = np.concatenate([part.extra["intensity"] for part in parts]).astype(float)
-    time = np.concatenate([part.time for part in parts])
-    return Scan(points, time, intensity, assumptions)

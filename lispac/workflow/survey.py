@@ -14,31 +14,34 @@ from lispac.io.formats import format_of
 from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
-from lispac.messages import Message
+from lispac.io.values import decoded
+from lispac.messages import Level, Message
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
+from lispac.survey.audit_messages import line_messages, shared_messages
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
-from lispac.survey.scan import Scan
+from lispac.survey.line_audit import LineAudit
 from lispac.survey.store.layout import is_import
-from lispac.survey.time_quality import coverage, left_out, short_of_trajectory
+from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
+from lispac.workflow.line_points import read_line
 from lispac.workflow.moved import require_files
-from lispac.workflow.offers import offered, outside
 from lispac.workflow.reading import (
     LAS_ENDINGS,
     USUAL,
     local_trajectory,
     read_accuracy,
-    read_line,
 )
 
 DATA = Cause.of_step("Data")
 LARGE = 4_000_000
 """Points; lines with more are imported into the project's store, smaller ones are read into memory
 whenever the project is opened, with 64 bytes a point."""
+AUDIT_TIMES = 1001
+"""Times of a line at which the motion of the vessel is taken for the audit."""
 TEXT_POINT = 40
 """Bytes that a point takes in a file that does not say how many there are, about."""
 
@@ -141,6 +144,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     accuracy, said = _accuracy(project, trajectory)
     notes += said
     messages = _file_messages(project)
+    audits: dict[str, LineAudit] = {}
     scans: dict[str, Line] = {}
     clouds: dict[str, Cloud] = {}
     heading: dict[str, float] = {}
@@ -148,15 +152,27 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         step = part(
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
-        scan, cloud, said = _opened(project, line, trajectory, step)
+        scan, cloud, said, audit = _opened(project, line, trajectory, step)
         notes += said
+        if audit is None:
+            messages += (_not_checked(line.name),)
+        else:
+            audits[line.name] = audit
+            times = np.linspace(scan.first_time, scan.last_time, AUDIT_TIMES)
+            times = times[trajectory.covers(times)]
+            messages += line_messages(line.name, audit, trajectory, times)
         scans[line.name], clouds[line.name] = scan, cloud
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
+    messages += shared_messages(audits)
     progress(1.0, "Survey loaded")
     return Survey(
         trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
     )
+
+
+def _not_checked(name: str) -> Message:
+    return Message("audit.not_checked", Level.NOTE, {"line": name}, Cause.of_line(name))
 
 
 def _file_messages(project: Project) -> tuple[Message, ...]:
@@ -211,8 +227,8 @@ def _accuracy(
 
 def _opened(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
-) -> tuple[Line, Cloud, tuple[str, ...]]:
-    """A line from its store or its file, placed, and what there is to say of it."""
+) -> tuple[Line, Cloud, tuple[str, ...], LineAudit | None]:
+    """A line from its store or its file, placed, its assumptions in words, and its audit."""
     mounting = project.mounting("prior")
     if _belongs_on_disk(project, line):
         imported = import_line(project, line, trajectory, progress=progress)
@@ -225,12 +241,13 @@ def _opened(
             said += (
                 f"{line.path} is not there; {line.name} is used as it was imported from it before",
             )
-        return stored, cloud, said
+        audit = decoded(stored.manifest.audit, LineAudit) if stored.manifest.audit else None
+        return stored, cloud, said, audit
     progress(0.0, f"Reading {line.path.name}")
-    scan, said = _inside(read_line(line, trajectory, mounting), trajectory, line)
+    scan, audit = read_line(line, trajectory, mounting)
     progress(0.7, f"Georeferencing {line.name}")
     placed = CloudInMemory.of(scan, trajectory, mounting)
-    return scan, placed, (*scan.assumptions, *said)
+    return scan, placed, scan.assumptions, audit
 
 
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:
@@ -266,33 +283,6 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
             f"those of the trajectory ({trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s); "
             "give the accuracy file that belongs to it."
         )
-
-
-def _inside(
-    scan: Scan, trajectory: LocalTrajectory, line: LineSource
-) -> tuple[Scan, tuple[str, ...]]:
-    path = line.path
-    inside = trajectory.covers(scan.time)
-    if inside.all() and not trajectory.has_gaps:
-        return scan, ()
-    if not inside.any():
-        raise InputError(f"{path}: {outside(line.reading, scan.time, trajectory.time)}")
-    kept = Scan(
-        scan.points_lidar[inside],
-        scan.time[inside],
-        None if scan.intensity is None else scan.intensity[inside],
-        scan.assumptions,
-    )
-    lost = len(scan) - len(kept)
-    if lost == 0:
-        return scan, ()
-    covered = coverage(scan.time, trajectory.time, trajectory.longest_gap)
-    told = f"{path.name}: {left_out(covered, lost)}"
-    if covered.outside:
-        some = scan.time[:: max(1, len(scan) // 1000)]
-        if more := offered(line.reading, some, trajectory.time):
-            return kept, (told, f"{path.name}: {more}")
-    return kept, (told,)
 
 
 def _median_heading(trajectory: LocalTrajectory, scan: Line) -> float:

@@ -121,6 +121,9 @@ class Manifest:
     placed_with : mapping
         What the order in space follows from: the mounting.
     assumptions : tuple of str
+    audit : mapping
+        `LineAudit` of the points of the file, as plain values; empty for a line imported by a
+        version without one.
     """
 
     line: str
@@ -140,6 +143,7 @@ class Manifest:
     made_with: Mapping[str, Any] = field(default_factory=dict)
     placed_with: Mapping[str, Any] = field(default_factory=dict)
     assumptions: tuple[str, ...] = ()
+    audit: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def files(self) -> tuple[Column, ...]:
@@ -226,6 +230,7 @@ def _require_plain(manifest: Manifest) -> None:
         and {column.name for column in manifest.columns} >= OWN_FILES
         and isinstance(manifest.made_with, dict)
         and isinstance(manifest.placed_with, dict)
+        and isinstance(manifest.audit, dict)
     )
     if not sound:
         raise ValueError("it is not what an import writes")

@@ -9,7 +9,7 @@ the file and all else are the same.
 import json
 import shutil
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -33,7 +33,7 @@ from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
 
 DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
 RECIPE, COMPLETE = "recipe.json", "complete.json"
-VERSION = 2
+VERSION = 3
 
 
 @dataclass(frozen=True)
@@ -73,6 +73,24 @@ class Spooled:
     reach: float
     columns: tuple[Column, ...]
     checksums: list[int]
+
+
+@dataclass(frozen=True)
+class End:
+    """What is known once a file is read to its end.
+
+    Attributes
+    ----------
+    read : int
+        Points of the file, with those left out.
+    assumptions : tuple of str
+        What was taken for granted, in words.
+    audit : mapping of plain values
+    """
+
+    read: int
+    assumptions: tuple[str, ...] = ()
+    audit: Mapping[str, Any] = field(default_factory=dict)
 
 
 class Spool:
@@ -116,17 +134,19 @@ class Spool:
         return self.blocks[-1].running if self.blocks else Running()
 
     @property
-    def read(self) -> int | None:
-        """Points of the whole file where it is read to its end, None where it is not."""
+    def end(self) -> End | None:
+        """What was known at the end of the file, None where it is not read to its end."""
         try:
             content = unsealed((self.folder / COMPLETE).read_text(encoding="utf-8"))
-            return int(content["read"]) if content["points"] == self.points else None
+            if content["points"] != self.points:
+                return None
+            return End(int(content["read"]), tuple(content["assumptions"]), content["audit"])
         except DAMAGED:
             return None
 
-    def complete(self, read: int) -> None:
-        """Say that the file is read to its end; ``read`` counts what is left out too."""
-        content = {"read": read, "points": self.points}
+    def complete(self, end: End) -> None:
+        """Record that the file is read to its end."""
+        content = {"points": self.points, **asdict(end)}
         write_text_whole(self.folder / COMPLETE, sealed(content))
 
     def add(self, block: Block, place: Place) -> None:

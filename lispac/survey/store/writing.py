@@ -34,7 +34,7 @@ from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.ordering import write_columns
 from lispac.survey.store.pace import Pace
 from lispac.survey.store.pieces import Piece, Place, blocks_of
-from lispac.survey.store.spool import Spool
+from lispac.survey.store.spool import End, Spool
 from lispac.survey.store.stamps import stamped
 
 READING_SHARE = 0.6
@@ -44,6 +44,8 @@ BYTES_PER_POINT = 100
 
 Pieces = Callable[[int], Iterator[Piece]]
 """Gives the points of a file from an index on."""
+Findings = Callable[[], tuple[tuple[str, ...], dict[str, Any]]]
+"""Gives what was taken for granted and the audit, once a file is read."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,7 @@ def write_store(
     recipe: Recipe,
     pieces: Pieces,
     place: Place,
-    assumptions: Callable[[int], tuple[str, ...]] = lambda left_out: (),
+    findings: Findings = lambda: ((), {}),
     *,
     beside: Callable[[Path], None] = lambda folder: None,
     progress: Progress = no_progress,
@@ -86,8 +88,9 @@ def write_store(
         Gives the points of the file from an index on. It has to give the same points every time.
     place : callable
         Puts points into the local frame for the order in space.
-    assumptions : callable
-        From the number of points left out to what was taken for granted, in words.
+    findings : callable
+        Gives, once the file is read, what was taken for granted, in words, and the audit of its
+        points, as plain values.
     beside : callable
         Puts into the folder of the columns what is to be kept besides them.
 
@@ -107,9 +110,7 @@ def write_store(
             with locked(folder):
                 current = _current(folder)
                 remove_leftovers(folder, keep=current)
-                return _import(
-                    folder, recipe, pieces, place, assumptions, beside, current, progress
-                )
+                return _import(folder, recipe, pieces, place, findings, beside, current, progress)
     except LispacError:
         _remove_empty(made)
         raise
@@ -120,7 +121,7 @@ def _import(
     recipe: Recipe,
     pieces: Pieces,
     place: Place,
-    assumptions: Callable[[int], tuple[str, ...]],
+    findings: Findings,
     beside: Callable[[Path], None],
     current: str,
     progress: Progress,
@@ -131,12 +132,13 @@ def _import(
     try:
         with plainly_written(folder, expected.bytes):
             spool = Spool(folder, asdict(recipe))
-            read = _fill(spool, recipe, pieces, place, expected, part(progress, 0.0, READING_SHARE))
+            reading = part(progress, 0.0, READING_SHARE)
+            end = _fill(spool, recipe, pieces, place, findings, expected, reading)
             new.mkdir()
             own, attributes = write_columns(
                 spool, new, place, recipe.line, progress=part(progress, READING_SHARE, 1.0)
             )
-            manifest = _manifest(spool, recipe, new.name, own, attributes, read, assumptions)
+            manifest = _manifest(spool, recipe, new.name, own, attributes, end)
             beside(new)
             manifest = stamped(folder, manifest)
             write_manifest(folder, manifest)
@@ -158,16 +160,15 @@ def _manifest(
     folder: str,
     own: tuple[Column, ...],
     attributes: tuple[Column, ...],
-    read: int,
-    assumptions: Callable[[int], tuple[str, ...]],
+    end: End,
 ) -> Manifest:
-    blocks, left_out = spool.blocks, read - spool.points
+    blocks = spool.blocks
     low = np.min([block.low for block in blocks], axis=0).tolist()
     high = np.max([block.high for block in blocks], axis=0).tolist()
     return Manifest(
         line=recipe.line,
         points=spool.points,
-        left_out=left_out,
+        left_out=end.read - spool.points,
         folder=folder,
         columns=own,
         attributes=attributes,
@@ -181,7 +182,8 @@ def _manifest(
         original=recipe.original,
         made_with=recipe.made_with,
         placed_with=recipe.placed_with,
-        assumptions=assumptions(left_out),
+        assumptions=end.assumptions,
+        audit=end.audit,
     )
 
 
@@ -190,18 +192,20 @@ def _fill(
     recipe: Recipe,
     pieces: Pieces,
     place: Place,
+    findings: Findings,
     expected: "_Expected",
     progress: Progress,
-) -> int:
-    """Spool what is not spooled yet; gives the number of points of the file.
+) -> End:
+    """Spool what is not spooled yet, and give what is known of the whole file.
 
     Raises
     ------
     ProjectError
         Where there is no point in it.
     """
-    if spool.read is not None:
-        return spool.read
+    known = spool.end
+    if known is not None:
+        return known
     read, pace = spool.next_index, None
     source = pieces(spool.next_index)
     gathered = blocks_of(source, spool.points, spool.running, recipe.original.path)
@@ -216,8 +220,10 @@ def _fill(
                 spool.add(block, place)
     if not spool.points:
         raise ProjectError(f"{recipe.original.path}: there is no point in it; leave the line out.")
-    spool.complete(read)
-    return read
+    assumptions, audit = findings()
+    end = End(read, assumptions, audit)
+    spool.complete(end)
+    return end
 
 
 def tidy(folder: Path, manifest: Manifest) -> None:

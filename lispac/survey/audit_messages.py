@@ -1,0 +1,183 @@
+"""Messages about the points of a line, from its audit: the object, the number, the effect."""
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+
+import numpy as np
+
+from lispac.causes import Cause
+from lispac.messages import Action, Level, Message, Value
+from lispac.survey.line_audit import (
+    POINTS_PER_TIME,
+    LineAudit,
+    shared_fraction,
+)
+from lispac.survey.trajectory import LocalTrajectory
+
+COARSE_STEP = 0.9e-3
+"""Seconds: steps of the point times from here on are reported."""
+FEWEST_OF_GROUP = 0.01
+"""Share of the points that a scanner or a pass has at least."""
+MOST_SCANNERS = 8
+"""Values of an attribute up to which it is taken to number scanners or passes."""
+SHARED = 0.01
+"""Share of its points from which a line repeats another one."""
+LONG_PAUSE = 60.0
+"""Seconds without points that separate two passes in any case."""
+TURN = np.radians(30.0)
+"""Change of heading over a pause that makes two passes of it."""
+QUANTILE = 0.95
+"""Of the speeds and angular rates on a line, for the effect of an error of time."""
+SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
+            "sensor_id", "lidar_id")  # fmt: skip
+"""Attributes that number scanners; the others number passes, or either."""
+
+
+def line_messages(
+    name: str, audit: LineAudit, trajectory: LocalTrajectory, times: np.ndarray
+) -> tuple[Message, ...]:
+    """Messages about one line.
+
+    Parameters
+    ----------
+    name : str
+        Of the line.
+    audit : LineAudit
+    trajectory : LocalTrajectory
+    times : ndarray of shape (n,), seconds, in the trajectory's time base
+        Some times of the line, ascending, that have a pose.
+    """
+    if not audit.read:
+        return ()
+    found = [
+        *_time_resolution(name, audit, trajectory, times),
+        *_excluded(name, audit),
+        *_noise(name, audit),
+        *_groups(name, audit),
+        *_passes(name, audit, trajectory, times),
+    ]
+    return tuple(found)
+
+
+def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
+    """Messages about lines that have points in common, by name of the line."""
+    found = []
+    for (one, first), (other, second) in combinations(audits.items(), 2):
+        share = shared_fraction(first, second)
+        if share >= SHARED:
+            smaller = one if first.read < second.read else other
+            found.append(
+                Message(
+                    "audit.shared_points",
+                    Level.WARNING,
+                    {"line": one, "other": other, "share": share, "smaller": smaller},
+                    Cause.of_line(smaller),
+                    (Action("exclude_line", {"line": smaller}),),
+                )
+            )
+    return tuple(found)
+
+
+def _time_resolution(
+    name: str, audit: LineAudit, trajectory: LocalTrajectory, times: np.ndarray
+) -> Iterator[Message]:
+    if audit.time_step < COARSE_STEP or audit.points_per_time < POINTS_PER_TIME:
+        return
+    rates = np.abs(trajectory.rate_at(times))
+    speed = float(np.quantile(np.linalg.norm(rates[:, :3], axis=1), QUANTILE))
+    turn = float(np.quantile(np.linalg.norm(rates[:, 3:], axis=1), QUANTILE))
+    half = audit.time_step / 2
+    yield Message(
+        "audit.time_resolution",
+        Level.WARNING,
+        {
+            "line": name,
+            "step": audit.time_step,
+            "points": audit.points_per_time,
+            "shift": half * (speed + turn * audit.mean_range),
+            "turn": half * turn,
+        },
+        Cause.of_line(name),
+    )
+
+
+def _excluded(name: str, audit: LineAudit) -> Iterator[Message]:
+    subject = Cause.of_line(name)
+
+    def excluded(code: str, count: int, *actions: Action, level: Level = Level.NOTE) -> Message:
+        params: dict[str, Value] = {"line": name, "count": count, "share": count / audit.read}
+        return Message(f"audit.{code}", level, params, subject, actions)
+
+    if audit.not_finite:
+        yield excluded("not_finite", audit.not_finite)
+    if audit.no_range:
+        yield excluded("no_range", audit.no_range)
+    if audit.too_far:
+        yield excluded("too_far", audit.too_far)
+    if audit.duplicates:
+        yield excluded("duplicates", audit.duplicates)
+    if audit.withheld:
+        yield excluded("withheld", audit.withheld, _option("withheld", "keep"))
+    if audit.of_classes:
+        yield excluded("of_classes", audit.of_classes)
+    if audit.not_selected:
+        yield excluded("not_selected", audit.not_selected)
+
+
+def _noise(name: str, audit: LineAudit) -> Iterator[Message]:
+    if audit.noise:
+        yield Message(
+            "audit.noise_classes",
+            Level.WARNING,
+            {"line": name, "count": sum(audit.noise.values()), "classes": tuple(audit.noise)},
+            Cause.of_line(name),
+            (_option("exclude_classes", " ".join(audit.noise)),),
+        )
+
+
+def _groups(name: str, audit: LineAudit) -> Iterator[Message]:
+    """Scanners or passes that one file holds, by an attribute."""
+    for attribute, counts in audit.groups.items():
+        used = sum(counts.values())
+        large = [value for value, count in counts.items() if count >= FEWEST_OF_GROUP * used]
+        if not 1 < len(large) <= MOST_SCANNERS:
+            continue
+        code = "several_scanners" if attribute in SCANNERS else "several_sources"
+        yield Message(
+            f"audit.{code}",
+            Level.WARNING,
+            {"line": name, "attribute": attribute, "values": tuple(large), "count": len(large)},
+            Cause.of_line(name),
+            (
+                Action("split_line", {"line": name, "by": attribute}),
+                *(_option("only", f"{attribute}={value}") for value in large[:2]),
+            ),
+        )
+
+
+def _passes(
+    name: str, audit: LineAudit, trajectory: LocalTrajectory, times: np.ndarray
+) -> Iterator[Message]:
+    """Passes that one file holds, by pauses over which the vessel turned or that are long."""
+    if len(audit.spans) < 2 or not len(times):
+        return
+    # The audit has the times of the file: only their differences are taken from it.
+    shift = times[0] - audit.spans[0][0]
+    passes = 1
+    for (_, before), (after, _) in zip(audit.spans, audit.spans[1:], strict=False):
+        ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
+        heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
+        turned = abs((heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi)
+        passes += bool(turned > TURN or after - before > LONG_PAUSE)
+    if passes > 1:
+        yield Message(
+            "audit.several_passes",
+            Level.WARNING,
+            {"line": name, "count": passes},
+            Cause.of_line(name),
+            (Action("split_line", {"line": name, "by": "gap"}),),
+        )
+
+
+def _option(name: str, value: str) -> Action:
+    return Action("set_option", {"name": name, "value": value})

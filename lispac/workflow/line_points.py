@@ -1,0 +1,258 @@
+"""The usable points of a line in the LiDAR frame, from its file, with an audit of all its points.
+
+The import into the store and the reading into memory both go through `LinePoints`, so that a line
+has the same points either way.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.points import system_of
+from lispac.io.registry import Choice, PointChunk
+from lispac.project import LineSource
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.line_audit import LineAudit
+from lispac.survey.recovery import Recovery, require_scanner_frame
+from lispac.survey.scan import Scan
+from lispac.survey.screening import PointScreen, PointSelection
+from lispac.survey.store.pieces import Piece
+from lispac.survey.time_quality import Coverage, coverage, joined, left_out
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.offers import offered, outside
+from lispac.workflow.reading import format_of_line
+
+Array = NDArray[np.float64]
+
+TIMES_KEPT = 100
+"""Times of each chunk that are kept to say what they look like."""
+FEW_COPIES = 0.01
+"""Estimated share of copies far apart from which the line is read again to exclude them."""
+
+
+class FarCopies(Exception):
+    """The line holds copies of points that lie far before them in the file."""
+
+
+class LinePoints:
+    """Reads a line chunk by chunk: excludes what cannot be used, and recovers map coordinates.
+
+    Parameters
+    ----------
+    line : LineSource
+    trajectory : LocalTrajectory
+    mounting : Mounting
+        The prior: a georeferenced cloud is taken to have been made with it.
+    attributes : sequence of str or None
+        Attributes of the file that go along where it has them; None for all.
+    far_copies : bool
+        See `PointScreen`.
+
+    Raises
+    ------
+    InputError
+        Where the options are not the format's own.
+    """
+
+    def __init__(
+        self,
+        line: LineSource,
+        trajectory: LocalTrajectory,
+        mounting: Mounting,
+        *,
+        attributes: Sequence[str] | None = None,
+        far_copies: bool = False,
+    ) -> None:
+        self.line, self.trajectory = line, trajectory
+        self._attributes, self._far_copies = attributes, far_copies
+        self._latency = mounting.latency
+        self._format, self._choice, assumptions = format_of_line(line)
+        settled = self._format.settled(self._choice)
+        self._selection = PointSelection.of(settled)
+        system = system_of(settled, line.path)
+        self.recovery: Recovery | None = None
+        if system is not None:
+            self.recovery = Recovery(system, trajectory, mounting, line.path)
+            assumptions += self.recovery.assumptions
+        self._assumptions = assumptions
+        self._screen = self._new_screen()
+        self._covered: list[Coverage] = []
+        self._times: list[Array] = []
+        self._without_pose = 0
+
+    def pieces(self) -> Iterator[Piece]:
+        """The points, in the order of the file; ``index`` is the place of each point in the file.
+
+        Raises
+        ------
+        InputError
+            Where the file is missing or damaged, or none of its points can be used.
+        FarCopies
+            At the end, where copies far apart were found and are not excluded.
+        """
+        self._screen, self._covered, self._times, self._without_pose = self._new_screen(), [], [], 0
+        read = used = 0
+        for chunk in read_chunks(self._format.read(self.line.path, self._choice)):
+            index = np.arange(read, read + len(chunk.time))
+            read += len(chunk.time)
+            piece = self._piece(chunk, index, read)
+            used += len(piece)
+            yield piece
+        if not used:
+            raise InputError(f"{self.line.path}: {self._why_empty(read)}")
+        if not self._far_copies and self._screen.result().repeated > FEW_COPIES:
+            raise FarCopies
+
+    @property
+    def audit(self) -> LineAudit:
+        """The audit of the points read so far."""
+        return self._screen.result()
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What is taken for granted, and which points have no pose, in words."""
+        words = self._assumptions
+        if self._without_pose:
+            name = self.line.path.name
+            words += (f"{name}: {left_out(joined(self._covered), self._without_pose)}",)
+            if more := self._offer():
+                words += (f"{name}: {more}",)
+        return words
+
+    # -- parts -------------------------------------------------------------------------------
+
+    def _new_screen(self) -> PointScreen:
+        return PointScreen(
+            self._selection, ranged=self.recovery is None, far_copies=self._far_copies
+        )
+
+    def _piece(self, chunk: PointChunk, index: NDArray[np.int64], read: int) -> Piece:
+        """What is usable of a chunk, in the LiDAR frame and the trajectory's time base."""
+        if self.recovery is None:
+            require_scanner_frame(chunk.xyz, self.line.path)
+        time = self.line.reading.moved(chunk.time)
+        used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._with_pose(time)
+        points = chunk.xyz if used.all() else chunk.xyz[used]
+        if self.recovery is not None:
+            points = self.recovery.points_lidar(points, time[used])
+            near = self._screen.screen_recovered(points)
+            if not near.all():
+                points = points[near]
+                used[used] = near
+        names = chunk.extra if self._attributes is None else self._attributes
+        extra = {name: chunk.extra[name] for name in names if name in chunk.extra}
+        if not used.all():
+            extra = {name: values[used] for name, values in extra.items()}
+            time, index = time[used], index[used]
+        return Piece(points, time, index, extra, read, chunk.total)
+
+    def _with_pose(self, time: Array) -> NDArray[np.bool_]:
+        """Which times (n,), in the trajectory's time base, have a pose; the others are counted."""
+        finite = time[np.isfinite(time)]
+        # Copied: a view would keep the whole chunk.
+        self._times.append(time[:: max(1, len(time) // TIMES_KEPT)].copy())
+        self._times += [finite.min(keepdims=True), finite.max(keepdims=True)] if len(finite) else []
+        posed = self.trajectory.covers(time)
+        if self._latency:
+            posed &= self.trajectory.covers(time + self._latency)
+        self._covered.append(coverage(finite, self.trajectory.time, self.trajectory.longest_gap))
+        self._without_pose += int(np.count_nonzero(~posed)) - (len(time) - len(finite))
+        return posed
+
+    def _offer(self) -> str:
+        """The time shift that would bring in more points, in words."""
+        times = np.concatenate(self._times) if self._times else np.zeros(0)
+        return offered(self.line.reading, times[np.isfinite(times)], self.trajectory.time)
+
+    def _why_empty(self, read: int) -> str:
+        """Why no point can be used, without the file."""
+        if not read:
+            return "this line holds no points; leave it out."
+        audit = self.audit
+        times = np.concatenate(self._times)
+        times = times[np.isfinite(times)]
+        if self._without_pose and len(times):
+            return outside(self.line.reading, times, self.trajectory.time)
+        return (
+            f"none of its {read:,} points can be used: {audit.not_finite:,} are not numbers, "
+            f"{audit.no_range:,} have no range, {audit.too_far:,} are too far, "
+            f"{audit.withheld:,} are withheld, {audit.of_classes + audit.not_selected:,} are not "
+            "selected; check the options of the line or export it again."
+        )
+
+
+def read_chunks(chunks: Any) -> Iterator[PointChunk]:
+    """The chunks that a format of points yields."""
+    assert isinstance(chunks, Iterator)
+    yield from chunks
+
+
+def read_line(
+    line: LineSource, trajectory: LocalTrajectory, mounting: Mounting
+) -> tuple[Scan, LineAudit]:
+    """Read one line into memory, in the LiDAR frame.
+
+    Parameters
+    ----------
+    trajectory : LocalTrajectory
+    mounting : Mounting
+        The prior: a georeferenced cloud is taken to have been made with it.
+
+    Raises
+    ------
+    InputError
+    """
+    for far_copies in (False, True):
+        points = LinePoints(
+            line, trajectory, mounting, attributes=("intensity",), far_copies=far_copies
+        )
+        try:
+            pieces = list(points.pieces())
+        except FarCopies:
+            continue
+        break
+    intensity = None
+    if all("intensity" in piece.extra for piece in pieces):
+        intensity = np.concatenate([piece.extra["intensity"] for piece in pieces]).astype(float)
+    scan = Scan(
+        np.concatenate([piece.points_lidar for piece in pieces]),
+        np.concatenate([piece.time for piece in pieces]),
+        intensity,
+        points.assumptions,
+    )
+    return scan, points.audit
+
+
+def screened(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:
+    """Chunks of a file with the points that are used, as the file has them.
+
+    Raises
+    ------
+    InputError
+        Where an option of the selection cannot be read.
+    """
+    ranged = system_of(choice, path) is None
+    screen = PointScreen(PointSelection.of(choice), ranged=ranged)
+
+    for chunk in chunks:
+        if ranged:
+            require_scanner_frame(chunk.xyz, path)
+        yield rows_of(chunk, screen(chunk.time, chunk.xyz, chunk.extra))
+
+
+def rows_of(chunk: PointChunk, chosen: NDArray[np.bool_]) -> PointChunk:
+    """Some points of a chunk; attributes that are packed in a record stay packed."""
+    if chosen.all():
+        return chunk
+    packed = getattr(chunk.extra, "rows", None)
+    extra: Mapping[str, NDArray[Any]] = (
+        packed(chosen)
+        if packed is not None
+        else {name: values[chosen] for name, values in chunk.extra.items()}
+    )
+    return replace(chunk, xyz=chunk.xyz[chosen], time=chunk.time[chosen], extra=extra)
