@@ -12,7 +12,20 @@ import numpy as np
 
 from lispac.messages import Action, Message
 
-TEXTS: Mapping[str, str] = {}
+TEXTS: Mapping[str, str] = {
+    "file.header_count": (
+        "{file}: the header counts {header:n} points, but the file holds {held:n}. All {held:n} "
+        "are read. Export the file again before another program reads it."
+    ),
+    "file.legacy_count": (
+        "{file}: the two point counts of the header differ ({header:n} and {legacy:n}). The file "
+        "holds {held:n} points, and all are read."
+    ),
+    "file.unread_bytes": (
+        "{file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are "
+        "not read. Export the file again if points are missing."
+    ),
+}
 """Text of each message code; `MessageFormatter` explains the format specifications."""
 
 ACTIONS: Mapping[str, str] = {}
