@@ -10,11 +10,10 @@ from pathlib import Path
 
 import lazrs
 import numpy as np
-from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.laz_chunks import RECORD_HEADER, laz_chunks
-from lispac.io.point_counts import PointCounts, counts_of_records
+from lispac.io.point_counts import Flags, PointCounts, Rows, counts_of_records
 
 SIGNATURE = b"LASF"
 COMPRESSED = 0x80
@@ -119,16 +118,14 @@ def _time(path: Path, points_start: int, point_format: int) -> float | None:
     return float(struct.unpack("<d", value)[0]) if len(value) == 8 else None
 
 
-def _plausible(
-    rows: NDArray[np.uint8], point_format: int, first: float | None
-) -> NDArray[np.uint8]:
+def _plausible(rows: Rows, point_format: int, first: float | None) -> Flags:
     """Whether records (n, size) may be points: their time is one, within a week of the first."""
     if point_format not in TIME_AT:
-        return rows.any(axis=1)
+        return np.asarray(rows.any(axis=1))
     at = TIME_AT[point_format]
     time = rows[:, at : at + 8].copy().view("<f8")[:, 0]
     with np.errstate(invalid="ignore", over="ignore"):
         usable = np.abs(time) <= LARGEST_TIME
         if first is not None and abs(first) <= LARGEST_TIME:
             usable &= np.abs(time - first) <= WEEK
-    return usable & ((time == 0) | (np.abs(time) > 1e-9))
+    return np.asarray(usable & ((time == 0) | (np.abs(time) > 1e-9)))

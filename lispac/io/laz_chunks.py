@@ -77,7 +77,13 @@ class _LastChunk:
     record: bytes
 
     def points(self, likely: int, most: int) -> int:
-        """The number of points that takes all bytes; ``likely`` where it does."""
+        """The number of points that takes all bytes; ``likely`` where it does.
+
+        Raises
+        ------
+        lazrs.LazrsError
+            Where no number does.
+        """
         if 0 < likely <= most and self._decodes(likely) and not self._decodes(likely, 1):
             return likely
         low, high = 0, most

@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.messages import Level, Message
+from lispac.messages import Level, Message, Value
 
 Rows = NDArray[np.uint8]
+Flags = NDArray[np.bool_]
 BLOCK = 1 << 22
 """Bytes searched at once for records that are not zero."""
 SAMPLE = 10_000
@@ -46,20 +47,20 @@ class PointCounts:
     def messages(self, path: Path) -> tuple[Message, ...]:
         """Warnings and notes about counts that do not fit the file."""
         found: list[Message] = []
-        counts = {"file": path.name, "header": self.header, "held": self.held}
+        counts: dict[str, Value] = {"file": path.name, "header": self.header, "held": self.held}
         if self.held not in (self.header, self.legacy):
             found.append(Message("file.header_count", Level.WARNING, counts))
         elif self.legacy and self.legacy != self.header:
-            params = {**counts, "legacy": self.legacy}
-            found.append(Message("file.legacy_count", Level.NOTE, params))
+            legacy = {**counts, "legacy": self.legacy}
+            found.append(Message("file.legacy_count", Level.NOTE, legacy))
         if self.unread:
-            params = {"file": path.name, "held": self.held, "bytes": self.unread}
-            found.append(Message("file.unread_bytes", Level.WARNING, params))
+            unread = {**counts, "bytes": self.unread}
+            found.append(Message("file.unread_bytes", Level.WARNING, unread))
         return tuple(found)
 
 
 def counts_of_records(
-    path: Path, start: int, end: int, size: int, header: int, is_point: Callable[[Rows], Rows]
+    path: Path, start: int, end: int, size: int, header: int, is_point: Callable[[Rows], Flags]
 ) -> PointCounts:
     """Count fixed-size records; records of zeros at the end are padding.
 
@@ -85,6 +86,35 @@ def counts_of_records(
     if is_point(np.array(rows[numbers])).mean() >= PLAUSIBLE:
         return PointCounts(header, held)
     return PointCounts(header, header, unread=end - start - header * size)
+
+
+def counts_of_rows(path: Path, start: int, columns: int, header: int, after: int) -> PointCounts:
+    """Count rows of text; those beyond the header count are points while their columns match.
+
+    Parameters
+    ----------
+    start : int
+        Byte at which the first point begins.
+    columns : int
+        Values of a point.
+    header : int
+        As the header counts.
+    after : int
+        Rows of something else after the points.
+    """
+    rows = matching = length = used = 0
+    with path.open("rb") as file:
+        file.seek(start)
+        for line in file:
+            length += len(line)
+            if not line.strip():
+                continue
+            if rows < header or (rows == matching and len(line.split()) == columns):
+                matching, used = matching + 1, length
+            rows += 1
+    held = min(matching, max(header, rows - after))
+    unread = length - used if rows - after > held else 0
+    return PointCounts(header, held, unread=unread)
 
 
 def _without_zeros(path: Path, start: int, size: int, header: int, held: int) -> int:
