@@ -14,7 +14,7 @@ from lispac.messages import Action, Message
 
 TEXTS: Mapping[str, str] = {
     "file.header_count": (
-        "{file}: the header counts {header:n} points, but the file holds {held:n}. All {held:n} "
+        "{file}: the header counts {header:n} points, but the file holds {held:n}. All of them "
         "are read. Export the file again before another program reads it."
     ),
     "file.legacy_count": (
@@ -24,6 +24,10 @@ TEXTS: Mapping[str, str] = {
     "file.unread_bytes": (
         "{file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are "
         "not read. Export the file again if points are missing."
+    ),
+    "file.invalid_points": (
+        "{file}: {count:n} of {total:n} points are marked as invalid in the file. They are not "
+        "used."
     ),
 }
 """Text of each message code; `MessageFormatter` explains the format specifications."""

@@ -84,7 +84,8 @@ def test_the_files_these_are_made_from_are_sound(tmp_path: Path, key: str) -> No
         ("pcd", "x y z timestamp", "x y y timestamp",
          f"{DAMAGED} (two fields of one name); export it again."),
         ("pcd", "POINTS 2", "POINTS -2", f"{DAMAGED} (points -2)."),
-        ("pcd", PCD[PCD.index("POINTS 2"):], "POINTS 0\nDATA ascii\n", "this line holds no points; leave it out."),
+        ("pcd", PCD[PCD.index("POINTS 2"):], "POINTS 0\nDATA ascii\n",
+         "this line holds no points; leave it out."),
         ("pcd", "x y z timestamp", "x y up timestamp",
          "the points have no z (fields: x, y, up, timestamp); export them with coordinates and "
          "time."),

@@ -657,6 +657,26 @@
         <translation>{path} : l&apos;en-tête annonce {count} points, le fichier en contient {done} ; copiez-le ou exportez-le de nouveau.</translation>
     </message>
     <message>
+        <source>{file:file}: the header counts {header:n} points, but the file holds {held:n}. All of them are read. Export the file again before another program reads it.</source>
+        <translation>{file} : l&apos;en-tête compte {header} points, mais le fichier en contient {held}. Tous sont lus. Exportez de nouveau le fichier avant de le lire avec un autre programme.</translation>
+    </message>
+    <message>
+        <source>{file:file}: the two point counts of the header differ ({header:n} and {legacy:n}). The file holds {held:n} points, and all are read.</source>
+        <translation>{file} : les deux nombres de points de l&apos;en-tête diffèrent ({header} et {legacy}). Le fichier contient {held} points, et tous sont lus.</translation>
+    </message>
+    <message>
+        <source>{file:file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are not read. Export the file again if points are missing.</source>
+        <translation>{file} : {bytes} octets suivent les {held} points et ne ressemblent pas à des points. Ils ne sont pas lus. Exportez de nouveau le fichier s&apos;il manque des points.</translation>
+    </message>
+    <message>
+        <source>{file:file}: {count:n} of {total:n} points are marked as invalid in the file. They are not used.</source>
+        <translation>{file} : {count} points sur {total} sont marqués comme invalides dans le fichier. Ils ne sont pas utilisés.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a scan counts {counted:n} points and holds {held:n}, and no more than it counts can be read; export it again.</source>
+        <translation>{path} : un balayage compte {counted} points et en contient {held}, et seuls ceux qu&apos;il compte peuvent être lus ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
         <source>{path:file}: point {bad:n} has a coordinate or time that is not a number ({such}); clean or export it again.</source>
         <translation>{path} : le point {bad} a une coordonnée ou un temps qui n&apos;est pas un nombre ({such}) ; nettoyez-le ou exportez-le de nouveau.</translation>
     </message>
