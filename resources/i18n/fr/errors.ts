@@ -677,6 +677,10 @@
         <translation>{path} : un balayage compte {counted} points et en contient {held}, et seuls ceux qu&apos;il compte peuvent être lus ; exportez-le de nouveau.</translation>
     </message>
     <message>
+        <source>the last chunk is damaged</source>
+        <translation>le dernier bloc est endommagé</translation>
+    </message>
+    <message>
         <source>{path:file}: point {bad:n} has a coordinate or time that is not a number ({such}); clean or export it again.</source>
         <translation>{path} : le point {bad} a une coordonnée ou un temps qui n&apos;est pas un nombre ({such}) ; nettoyez-le ou exportez-le de nouveau.</translation>
     </message>
