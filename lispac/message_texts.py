@@ -25,6 +25,15 @@ TEXTS: Mapping[str, str] = {
         "{file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are "
         "not read. Export the file again if points are missing."
     ),
+    "file.two_systems": (
+        "{file}: the header states two coordinate systems. {used} applies by its WKT bit, {other} "
+        "does not. If the points are in the second one, they are placed wrongly: set it as the "
+        "coordinate system (option crs)."
+    ),
+    "file.unusable_system": (
+        "{file}: the coordinate system that applies by the header cannot be used. {system}, which "
+        "the header states as well, is used."
+    ),
     "file.invalid_points": (
         "{file}: {count:n} of {total:n} points are marked as invalid in the file. They are not "
         "used."
@@ -32,7 +41,9 @@ TEXTS: Mapping[str, str] = {
 }
 """Text of each message code; `MessageFormatter` explains the format specifications."""
 
-ACTIONS: Mapping[str, str] = {}
+ACTIONS: Mapping[str, str] = {
+    "set_option": "Set {name} to {value}",
+}
 """Label of each action code, as on a button."""
 
 

@@ -159,8 +159,8 @@ def places(path: Path) -> Iterator[Array]:
                 yield xyz @ scan.rotation.T + scan.translation
 
 
-def stated_of(path: Path) -> str:
-    """Coordinate system as the file states it; empty where it does not.
+def stated_of(path: Path) -> tuple[str, tuple[Message, ...]]:
+    """Coordinate system as the file states it, empty where it does not, and messages.
 
     Raises
     ------
@@ -168,7 +168,11 @@ def stated_of(path: Path) -> str:
     """
     path = require_filled(path, "E57")
     with plainly(path, "E57"), opened(path) as image:
-        return _text(image.root(), "coordinateMetadata")
+        scans = scans_of(image, path, timed=False)
+        invalid = sum(invalid_count(image, scan, timed=False) for scan in scans)
+        total = sum(scan.count for scan in scans)
+        system = _text(image.root(), "coordinateMetadata")
+    return system, _invalid_messages(path, invalid, total)
 
 
 def _invalid_messages(path: Path, count: int, total: int) -> tuple[Message, ...]:

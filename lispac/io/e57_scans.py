@@ -254,9 +254,10 @@ def _columns(
         reader.close()
 
 
-def invalid_count(image: Any, scan: Scan) -> int:
+def invalid_count(image: Any, scan: Scan, *, timed: bool = True) -> int:
     """Number of points that the states of a scan exclude."""
-    names = tuple(name for name in (*STATES, SPHERICAL[0]) if name in scan.fields)
+    needed = (CARTESIAN_STATE, SPHERICAL_STATE, SPHERICAL[0], *((TIME_STATE,) if timed else ()))
+    names = tuple(name for name in needed if name in scan.fields)
     if not names:
         return 0
     count = 0

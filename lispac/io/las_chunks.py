@@ -1,6 +1,7 @@
 """LAS and LAZ of any kind with time, chunk by chunk with all their attributes."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.las_crs import stated_system
+from lispac.io.las_crs import StatedSystem, stated_system
 from lispac.io.las_guard import require_sound_header
 from lispac.io.points import (
     CHUNK,
@@ -88,7 +89,7 @@ def look(path: Path, choice: Choice) -> Finding:
     path = require_filled(path, "LAS")
     with plainly(path, "LAS or LAZ"), opened(path) as reader:
         header = reader.header
-        stated = stated_system(header)
+        stated = stated_system(header, path.name)
         points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
         time = np.asarray(points.gps_time)
@@ -137,7 +138,10 @@ def look(path: Path, choice: Choice) -> Finding:
             *_header_doubts(header, stated.text, xyz),
         ),
         _assumptions(header),
-        require_sound_header(path).messages(path),
+        (
+            *(() if choice.get("crs") else stated.messages),
+            *require_sound_header(path).messages(path),
+        ),
     )
 
 
@@ -202,8 +206,8 @@ def places(path: Path) -> Iterator[NDArray[np.float64]]:
             yield np.stack([points.x, points.y, points.z], axis=1)
 
 
-def stated_of(path: Path) -> tuple[str, str]:
-    """Coordinate system and unit of heights as the header states them; empty where it does not.
+def stated_of(path: Path) -> StatedSystem:
+    """Coordinate system as the header states it, with messages about the header.
 
     Raises
     ------
@@ -211,8 +215,9 @@ def stated_of(path: Path) -> tuple[str, str]:
     """
     path = require_filled(path, "LAS")
     with plainly(path, "LAS or LAZ"), opened(path, timed=False) as reader:
-        stated = stated_system(reader.header)
-    return stated.text, stated.height_unit
+        stated = stated_system(reader.header, path.name)
+    counts = require_sound_header(path).messages(path)
+    return replace(stated, messages=(*stated.messages, *counts))
 
 
 def point_count(path: Path) -> int:

@@ -19,6 +19,7 @@ from lispac.io.registry import NOT
 from lispac.io.seed_file import header_of, separator_of
 from lispac.io.text_layout import REMARKS, SEPARATORS
 from lispac.io.text_table import fields_of, is_number, lines_of
+from lispac.messages import Message
 
 Array = NDArray[np.float64]
 
@@ -40,11 +41,14 @@ class StaticScan:
         Coordinate system as the file states it; empty where it states none.
     height_unit : str
         As the file states it; empty where it states none.
+    messages : tuple of Message
+        Warnings and notes about the file.
     """
 
     path: Path
-    system: str
-    height_unit: str
+    system: str = ""
+    height_unit: str = ""
+    messages: tuple[Message, ...] = ()
 
     @property
     def is_cloud(self) -> bool:
@@ -94,15 +98,17 @@ def static_scan(path: Path) -> StaticScan:
     path = require_filled(Path(path), WHAT)
     kind = _kind(path)
     if kind == "las":
-        return StaticScan(path, *las_chunks.stated_of(path))
+        stated = las_chunks.stated_of(path)
+        return StaticScan(path, stated.text, stated.height_unit, stated.messages)
     if kind == "e57":
-        return StaticScan(path, e57.stated_of(path), "")
+        system, messages = e57.stated_of(path)
+        return StaticScan(path, system, messages=messages)
     if path.suffix.lower() in OTHERS:
         raise InputError(
             f"{path}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as "
             "one of these."
         )
-    return StaticScan(path, "", "")
+    return StaticScan(path)
 
 
 def _kind(path: Path) -> str:

@@ -677,6 +677,18 @@
         <translation>{path} : un balayage compte {counted} points et en contient {held}, et seuls ceux qu&apos;il compte peuvent être lus ; exportez-le de nouveau.</translation>
     </message>
     <message>
+        <source>{file:file}: the header states two coordinate systems. {used:kept} applies by its WKT bit, {other:kept} does not. If the points are in the second one, they are placed wrongly: set it as the coordinate system (option crs).</source>
+        <translation>{file} : l&apos;en-tête indique deux systèmes de coordonnées. {used} s&apos;applique d&apos;après son bit WKT, {other} ne s&apos;applique pas. Si les points sont dans le second, ils sont mal placés : indiquez-le comme système de coordonnées (option crs).</translation>
+    </message>
+    <message>
+        <source>{file:file}: the coordinate system that applies by the header cannot be used. {system:kept}, which the header states as well, is used.</source>
+        <translation>{file} : le système de coordonnées qui s&apos;applique d&apos;après l&apos;en-tête est inutilisable. {system}, que l&apos;en-tête indique aussi, est utilisé.</translation>
+    </message>
+    <message>
+        <source>Set {name:kept} to {value:kept}</source>
+        <translation>Choisir {value} pour {name}</translation>
+    </message>
+    <message>
         <source>the last chunk is damaged</source>
         <translation>le dernier bloc est endommagé</translation>
     </message>
