@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.e57_packets import surplus
+from lispac.io.files import plain_name
 from lispac.io.points import CHUNK, require_points
 
 Array = NDArray[np.float64]
@@ -78,11 +79,12 @@ def opened(path: Path) -> Iterator[Any]:
             f"{path}: E57 cannot be read on this system (pye57 has no build for it); "
             "convert the file to LAZ."
         ) from error
-    image = libe57.ImageFile(str(path), "r")
-    try:
-        yield image
-    finally:
-        image.close()
+    with plain_name(path) as name:
+        image = libe57.ImageFile(str(name), "r")
+        try:
+            yield image
+        finally:
+            image.close()
 
 
 def _require_sound_header(path: Path) -> None:

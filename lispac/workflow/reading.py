@@ -9,7 +9,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import require_file
-from lispac.io.formats import format_of, recognised
+from lispac.io.formats import format_of, is_las, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.las import read_scan
 from lispac.io.points import NO_SYSTEM, SCANNER, require_filled, system_of
@@ -27,7 +27,6 @@ from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccu
 
 FARTHEST_ORIGIN = 100_000.0
 """Metres; beyond, a plane tangent at the origin is no frame for the site."""
-LAS_ENDINGS = (".las", ".laz")
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
 }  # fmt: skip
@@ -327,7 +326,7 @@ def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
         if system_of(choice, line.path) is None:
             words += ("points are in the LiDAR frame",)
         return format, choice, words
-    if line.path.suffix.lower() in LAS_ENDINGS:
+    if is_las(line.path):
         return format_of("las"), {}, LAS_ASSUMPTIONS
     return format_of("text"), {"columns": " ".join(line.columns)}, TEXT_ASSUMPTIONS
 
@@ -346,7 +345,7 @@ def read_line(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting)
     InputError
     """
     if not line.reading.format:
-        if line.path.suffix.lower() in LAS_ENDINGS:
+        if is_las(line.path):
             scan = read_scan(line.path)
         else:
             scan = read_text_scan(line.path, line.columns)

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.io.formats import is_las
 from lispac.io.las_chunks import point_count
 from lispac.io.sbet import SHARED_BASE
 from lispac.progress import Progress, no_progress, part
@@ -23,7 +24,7 @@ from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.moved import require_files
 from lispac.workflow.offers import offered, outside
-from lispac.workflow.reading import LAS_ENDINGS, local_trajectory, read_accuracy, read_line
+from lispac.workflow.reading import local_trajectory, read_accuracy, read_line
 
 LARGE = 4_000_000
 """Points; lines with more are imported into the project's store, smaller ones are read into memory
@@ -203,7 +204,7 @@ def _belongs_on_disk(project: Project, line: LineSource) -> bool:
 
 def _points_of(path: Path) -> int:
     """About how many points a line has; its reader says what is wrong with it."""
-    if path.suffix.lower() in LAS_ENDINGS:
+    if is_las(path):
         try:
             return point_count(path)
         except InputError:

@@ -605,8 +605,72 @@
         <translation>{path} : ce fichier ({what}) n&apos;existe pas ; vérifiez le chemin.</translation>
     </message>
     <message>
-        <source>{path:file}: this is a folder, not a {what} file; choose a file.</source>
-        <translation>{path} : c&apos;est un dossier, pas un fichier ({what}) ; choisissez un fichier.</translation>
+        <source>{path:file}: this is a {kind}, not a {what} file; choose a file.</source>
+        <translation>{path} : {kind} au lieu d&apos;un fichier ({what}) ; choisissez un fichier.</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>named pipe (FIFO)</source>
+        <translation>tube nommé (FIFO)</translation>
+    </message>
+    <message>
+        <source>socket</source>
+        <translation>socket</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>périphérique</translation>
+    </message>
+    <message>
+        <source>disk device</source>
+        <translation>périphérique de stockage</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a {packing}; unpack it and choose the file inside.</source>
+        <translation>{path} : c&apos;est un fichier compressé ({packing}) ; décompressez-le et choisissez le fichier qu&apos;il contient.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a spreadsheet or another office document; save it as text (CSV).</source>
+        <translation>{path} : c&apos;est un classeur ou un autre document bureautique ; enregistrez-le en texte (CSV).</translation>
+    </message>
+    <message>
+        <source>ZIP archive</source>
+        <translation>archive ZIP</translation>
+    </message>
+    <message>
+        <source>7z archive</source>
+        <translation>archive 7z</translation>
+    </message>
+    <message>
+        <source>RAR archive</source>
+        <translation>archive RAR</translation>
+    </message>
+    <message>
+        <source>TAR archive</source>
+        <translation>archive TAR</translation>
+    </message>
+    <message>
+        <source>file compressed by xz</source>
+        <translation>xz</translation>
+    </message>
+    <message>
+        <source>file compressed by Zstandard</source>
+        <translation>Zstandard</translation>
+    </message>
+    <message>
+        <source>file compressed by LZ4</source>
+        <translation>LZ4</translation>
+    </message>
+    <message>
+        <source>file compressed by gzip</source>
+        <translation>gzip</translation>
+    </message>
+    <message>
+        <source>file compressed by bzip2</source>
+        <translation>bzip2</translation>
     </message>
     <message>
         <source>{path:file}: this {what} file cannot be read; check its permissions.</source>
@@ -793,8 +857,8 @@
         <translation>{path} : aucun point examiné n&apos;a de temps utilisable ; exportez la ligne de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: a mesh ends in .ply, .obj or .stl; export it as one of these.</source>
-        <translation>{path} : un maillage se termine par .ply, .obj ou .stl ; exportez-le sous l&apos;une de ces formes.</translation>
+        <source>{path:file}: a mesh is PLY, OBJ or STL; export it as one of these.</source>
+        <translation>{path} : un maillage est en PLY, OBJ ou STL ; exportez-le dans l&apos;un de ces formats.</translation>
     </message>
     <message>
         <source>{path:file}: no triangles are in it; export the mesh, not its points.</source>
