@@ -116,12 +116,12 @@ def _kind(path: Path) -> str:
         return "las"
     if e57.sniff(path) > NOT:
         return "e57"
-    if pts.is_pts(path):
+    other = pts.is_ptx(path) or any(each.sniff(path) > NOT for each in (ply, pcd))
+    if not other and pts.is_pts(path):
         return "pts"
     with path.open("rb") as file:
         head = file.read(HEAD)
-    binary = b"\0" in head and head[:2] not in UTF16
-    if binary or pts.is_ptx(path) or any(each.sniff(path) > NOT for each in (ply, pcd)):
+    if other or (b"\0" in head and head[:2] not in UTF16):
         raise InputError(
             f"{path}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as "
             "one of these."
