@@ -72,6 +72,31 @@ TEXTS: Mapping[str, str] = {
         "{line} and {other} have points in common ({share:percent.1} % of the smaller line). "
         "Points that count twice make the standard deviations too small. Exclude {smaller}."
     ),
+    "file.header_count": (
+        "{file}: the header counts {header:n} points, but the file holds {held:n}. All of them "
+        "are read. Export the file again before another program reads it."
+    ),
+    "file.legacy_count": (
+        "{file}: the two point counts of the header differ ({header:n} and {legacy:n}). The file "
+        "holds {held:n} points, and all are read."
+    ),
+    "file.unread_bytes": (
+        "{file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are "
+        "not read. Export the file again if points are missing."
+    ),
+    "file.two_systems": (
+        "{file}: the header states two coordinate systems. {used} applies by its WKT bit, {other} "
+        "does not. If the points are in the second one, they are placed wrongly: set it as the "
+        "coordinate system (option crs)."
+    ),
+    "file.unusable_system": (
+        "{file}: the coordinate system that applies by the header cannot be used. {system}, which "
+        "the header states as well, is used."
+    ),
+    "file.invalid_points": (
+        "{file}: {count:n} of {total:n} points are marked as invalid in the file. They are not "
+        "used."
+    ),
 }
 """Text of each message code; `MessageFormatter` explains the format specifications."""
 

@@ -2,7 +2,7 @@
 
 import gzip
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from uuid import UUID
 
@@ -140,11 +140,13 @@ def e57(
     first_without: tuple[str, ...] = (),
     pose_parts: tuple[str, ...] | None = ("rotation", "translation"),
     none_valid_of: int = 0,
+    more: Mapping[str, np.ndarray] | None = None,
 ) -> Path:
     """By libE57, in ``scans`` scans; stamps count from ``start``.
 
     Fields ``without`` are left out, those ``first_without`` of the first scan alone; where points
-    are marked as invalid, the first ``none_valid_of`` all are.
+    are marked as invalid, the first ``none_valid_of`` all are. ``more`` are other fields; whole
+    numbers are states.
     """
     from pye57 import libe57
 
@@ -210,6 +212,15 @@ def e57(
             marked = (rows < none_valid_of) | (rows % 2 == 1)
             columns["cartesianInvalidState"] = marked.astype(np.float64)
             prototype.set("cartesianInvalidState", libe57.IntegerNode(image, 0, 0, 2))
+        for name, column in (more or {}).items():
+            columns[name] = column[rows].astype(np.float64)
+            whole = column.dtype.kind == "i"
+            prototype.set(
+                name,
+                libe57.IntegerNode(image, 0, 0, 2)
+                if whole
+                else libe57.FloatNode(image, 0.0, libe57.E57_DOUBLE, -1e30, 1e30),
+            )
         codecs = libe57.VectorNode(image, True)
         points = libe57.CompressedVectorNode(image, prototype, codecs)
         scan.set("points", points)

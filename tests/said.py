@@ -11,6 +11,7 @@ KEYS = [re.sub(r"\{\w+(:\w+)?\}", "\0", english) for english in FRENCH.exact]
 
 def covered(text: str) -> bool:
     """Whether the text is known, or each of its sentences a part of one that is."""
+    text = re.sub(r"\{\w+(:[\w.]+)?\}", "7", text)  # the places of a message text
     say = Translator(FRENCH, {"7"})
     say(text)
     if not say.unknown:

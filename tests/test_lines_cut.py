@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import las, line_times, records
+from lispac.io import las, las_chunks, line_times, records
 from lispac.io.formats import format_of
 from lispac.io.las_export import cloud_file, pattern_of_columns
 from lispac.io.las_guard import require_sound_header
+from lispac.io.point_counts import PointCounts
 from lispac.io.registry import PointChunk
 from tests import point_files as files
 
@@ -57,12 +58,13 @@ def test_a_file_cut_after_its_header_was_checked(
 ) -> None:
     path, start, size = written(tmp_path / "a.las", 200)
 
-    def checked_and_cut(path: Path) -> None:
-        require_sound_header(path)
+    def checked_and_cut(path: Path) -> PointCounts:
+        counts = require_sound_header(path)
         os.truncate(path, start + kept * size)
+        return counts
 
-    monkeypatch.setattr(las, "require_sound_header", checked_and_cut)
-    monkeypatch.setattr(las, "CHUNK", 100)
+    monkeypatch.setattr(las_chunks, "require_sound_header", checked_and_cut)
+    monkeypatch.setattr(las_chunks, "CHUNK", 100)
     with pytest.raises(InputError) as refused:
         las.read_scan(path)
     assert str(refused.value) == (

@@ -173,7 +173,7 @@ def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
     other = tmp_path / "scene.dae"
     other.write_text("x")
     for path, said in (
-        (cloud, "no triangles"), (other, "ends in"), (tmp_path / "none.stl", "no such"),
+        (cloud, "no triangles"), (other, "is PLY, OBJ or STL"), (tmp_path / "none.stl", "no such"),
         (of_triangle("nan 0 0", "1 1 0"), "a vertex is not a number; export the mesh again"),
         (of_triangle("0 0 0", "2 0 0"), "all its triangles are without area; export the mesh"),
     ):  # fmt: skip

@@ -3,6 +3,7 @@
 import errno
 import os
 import re
+import shutil
 import tempfile
 import time
 from collections.abc import Iterator
@@ -13,11 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.packed import require_unpacked
 from lispac.survey.time_quality import time_quality
 
 
 def require_file(path: Path, what: str) -> Path:
     """Give the path back where it is a file that can be read; ``what`` names its role.
+
+    Text may be compressed by gzip; other compressed files and archives are refused.
 
     Raises
     ------
@@ -27,10 +31,46 @@ def require_file(path: Path, what: str) -> Path:
     if not path.exists():
         raise InputError(f"{path}: there is no such {what} file; check the path.")
     if not path.is_file():
-        raise InputError(f"{path}: this is a folder, not a {what} file; choose a file.")
+        raise InputError(f"{path}: this is a {_kind(path)}, not a {what} file; choose a file.")
     if not os.access(path, os.R_OK):
         raise InputError(f"{path}: this {what} file cannot be read; check its permissions.")
+    require_unpacked(path, text=True)
     return path
+
+
+def _kind(path: Path) -> str:
+    """What a path is that is no file."""
+    kinds = {
+        "named pipe (FIFO)": Path.is_fifo, "socket": Path.is_socket,
+        "device": Path.is_char_device, "disk device": Path.is_block_device,
+    }  # fmt: skip
+    return next((name for name, is_kind in kinds.items() if is_kind(path)), "folder")
+
+
+@contextmanager
+def plain_name(path: Path, ending: str = "") -> Iterator[Path]:
+    """Yield a name of a file for libraries that need UTF-8, or an ending, in names of files.
+
+    Parameters
+    ----------
+    ending : str
+        Lower case, with the dot; any where empty.
+    """
+    try:
+        str(path).encode("utf-8")
+        plain = not ending or path.suffix.lower() == ending
+    except UnicodeEncodeError:
+        plain = False
+    if plain:
+        yield path
+        return
+    with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
+        link = Path(folder) / f"file{ending or '.bin'}"
+        try:
+            link.symlink_to(path.resolve())
+        except OSError:  # Windows asks for a right to make links
+            shutil.copyfile(path, link)
+        yield link
 
 
 def read_records(

@@ -26,6 +26,7 @@ __all__ = [
     "TRAJECTORIES",
     "format_of",
     "formats_of",
+    "is_las",
     "recognised",
     "suggests_time",
 ]
@@ -57,12 +58,25 @@ def suggests_time(format: Format) -> bool:
     return format.kind == "trajectory" and format is not EXAIL
 
 
+def is_las(path: Path) -> bool:
+    """Whether a line whose format is not stated is LAS or LAZ, and not text.
+
+    By its content; by its ending where the file is missing or no format knows it.
+    """
+    path, las = Path(path), format_of("las")
+    if las.sniff(path) > NOT:
+        return True
+    return path.suffix.lower() in las.endings and not recognised(path, "points")
+
+
 def recognised(path: Path, kind: Kind) -> list[tuple[Format, float]]:
     """Formats that a file may be in and how sure that is, the surest first.
 
     Among equally sure ones those come first whose files end so, then the more usual ones.
     """
     path = Path(path)
+    if not path.is_file():
+        return []  # a named pipe would wait for a writer
     found = [(format, format.sniff(path)) for format in formats_of(kind)]
     ending = path.suffix.lower()
     return sorted(

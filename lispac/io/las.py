@@ -1,23 +1,17 @@
 """LAS and LAZ: lines in the scanner frame, and georeferenced clouds out."""
 
-import struct
 from pathlib import Path
 
 import laspy
 import numpy as np
-from laspy.errors import LaspyException
-from lazrs import LazrsError
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import such, written_whole
-from lispac.io.las_guard import require_sound_header
-from lispac.io.points import require_filled
+from lispac.io.las_chunks import read
 from lispac.survey.scan import Scan
 
 ASSUMPTIONS = ("LAS coordinates are metres in the LiDAR frame", "LAS gps_time is the point time")
-
-CHUNK = 1_000_000
 
 
 def read_scan(path: Path) -> Scan:
@@ -28,39 +22,15 @@ def read_scan(path: Path) -> Scan:
     InputError
         Where the file is missing, damaged, without gps_time, or empty.
     """
-    path = require_filled(Path(path), "LAS")
-    require_sound_header(path)
-    try:
-        with laspy.open(path) as reader:
-            names = set(reader.header.point_format.dimension_names)
-            if "gps_time" not in names:
-                raise InputError(
-                    f"{path}: point format {reader.header.point_format.id} has no gps_time, so its "
-                    "points cannot be put on the trajectory; export the line with GPS time."
-                )
-            count = reader.header.point_count
-            if count == 0:
-                raise InputError(f"{path}: this line holds no points; leave it out.")
-            points = np.empty((count, 3))
-            time, intensity = np.empty(count), np.empty(count)
-            done = 0
-            for chunk in reader.chunk_iterator(CHUNK):
-                rows = slice(done, done + len(chunk))
-                points[rows, 0], points[rows, 1], points[rows, 2] = chunk.x, chunk.y, chunk.z
-                time[rows], intensity[rows] = chunk.gps_time, chunk.intensity
-                done = rows.stop
-    except (
-        LaspyException, LazrsError, ValueError, struct.error, OSError, EOFError, MemoryError,
-    ) as error:  # fmt: skip
-        raise InputError(
-            f"{path}: cannot be read as LAS or LAZ ({error}); copy or export it again."
-        ) from error
-    if done != count:
-        raise InputError(
-            f"{path}: the header promises {count:,} points, the file holds {done:,}; "
-            "copy or export it again."
-        )
-    require_finite(points, time, path)
+    count = done = 0
+    for chunk in read(Path(path), {}):
+        if not done:
+            count = chunk.total or 0
+            points, time, intensity = np.empty((count, 3)), np.empty(count), np.empty(count)
+        rows = slice(done, done + len(chunk.time))
+        points[rows], time[rows] = chunk.xyz, chunk.time
+        intensity[rows] = chunk.extra["intensity"]
+        done = rows.stop
     return Scan(points, time, intensity, ASSUMPTIONS)
 
 

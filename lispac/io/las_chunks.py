@@ -1,6 +1,7 @@
 """LAS and LAZ of any kind with time, chunk by chunk with all their attributes."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.las_crs import stated_system
+from lispac.io.las_crs import StatedSystem, stated_system
 from lispac.io.las_guard import require_sound_header
 from lispac.io.points import (
     CHUNK,
@@ -91,9 +92,9 @@ def look(path: Path, choice: Choice) -> Finding:
         Where the file cannot be read or has no time.
     """
     path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), _opened(path) as reader:
+    with plainly(path, "LAS or LAZ"), opened(path) as reader:
         header = reader.header
-        stated = stated_system(header)
+        stated = stated_system(header, path.name)
         points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
         time = np.asarray(points.gps_time)
@@ -144,6 +145,10 @@ def look(path: Path, choice: Choice) -> Finding:
             *_header_doubts(header, stated.text, xyz),
         ),
         _assumptions(header),
+        (
+            *(() if choice.get("crs") else stated.messages),
+            *require_sound_header(path).messages(path),
+        ),
     )
 
 
@@ -169,7 +174,7 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
     """
     scale = scale_of(LAS.settled(choice))
     path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), _opened(path) as reader:
+    with plainly(path, "LAS or LAZ"), opened(path) as reader:
         header = reader.header
         others = [
             name for name in header.point_format.dimension_names
@@ -203,39 +208,52 @@ def places(path: Path) -> Iterator[NDArray[np.float64]]:
         Where the file is missing, damaged or empty.
     """
     path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), _opened(path, timed=False) as reader:
+    with plainly(path, "LAS or LAZ"), opened(path, timed=False) as reader:
         for points in _chunks(reader, path):
             yield np.stack([points.x, points.y, points.z], axis=1)
 
 
-def stated_of(path: Path) -> tuple[str, str]:
-    """Coordinate system and unit of heights as the header states them; empty where it does not.
+def stated_of(path: Path) -> StatedSystem:
+    """Coordinate system as the header states it, with messages about the header.
 
     Raises
     ------
     InputError
     """
     path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), _opened(path, timed=False) as reader:
-        stated = stated_system(reader.header)
-    return stated.text, stated.height_unit
+    with plainly(path, "LAS or LAZ"), opened(path, timed=False) as reader:
+        stated = stated_system(reader.header, path.name)
+    counts = require_sound_header(path).messages(path)
+    return replace(stated, messages=(*stated.messages, *counts))
 
 
 def point_count(path: Path) -> int:
-    """Points of a LAS or LAZ file, as its header says.
+    """Number of points that a LAS or LAZ file holds.
 
     Raises
     ------
     InputError
     """
-    with plainly(path, "LAS or LAZ"), _opened(path) as reader:
+    with plainly(path, "LAS or LAZ"), opened(path) as reader:
         return int(reader.header.point_count)
 
 
-def _opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
-    require_sound_header(path)
+def opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
+    """Open a file to read all points that it holds, whatever its header counts.
+
+    Parameters
+    ----------
+    timed : bool
+        Whether a point format without gps_time is refused.
+
+    Raises
+    ------
+    InputError
+    """
+    counts = require_sound_header(path)
     reader = laspy.open(path)
     header = reader.header
+    header.point_count = counts.held
     if timed and "gps_time" not in set(header.point_format.dimension_names):
         reader.close()
         raise InputError(

@@ -1,18 +1,21 @@
 """The coordinate system a LAS header states: WKT, or GeoTIFF keys.
 
-laspy reads both, but of the keys only codes of horizontal systems: not heights, units, earth-
+A bit of the global encoding says which of the two applies where a header has both (LAS 1.4 R15,
+2.4). laspy reads both, but of the keys only codes of horizontal systems: not heights, units, earth-
 centred coordinates, nor systems that writers (PDAL among them) name without a code.
 """
 
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from laspy import LasHeader
 from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinateSystemVlr
 from pyproj import CRS
 from pyproj.exceptions import CRSError
+
+from lispac.messages import Action, Level, Message
 
 UNIT_CODES = {9001: "metre", 9002: "foot", 9003: "us-survey-foot"}
 UNIT_NAMES = {"metre": "metre", "foot": "foot", "US survey foot": "us-survey-foot"}
@@ -34,26 +37,80 @@ class StatedSystem:
         For `lispac.survey.crs.coordinate_system`; empty where the header says nothing usable.
     name, height_unit : str
     doubts : tuple of str
+    messages : tuple of Message
+        About WKT and keys that contradict each other.
     """
 
     text: str = ""
     name: str = "none"
     height_unit: str = ""
     doubts: tuple[str, ...] = ()
+    messages: tuple[Message, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """Name, with the code where there is one."""
+        return f"{self.name} ({self.text})" if self.text.startswith("EPSG:") else self.name
 
 
-def stated_system(header: LasHeader) -> StatedSystem:
-    """Read the coordinate system of a LAS header; WKT counts before GeoTIFF keys."""
+def stated_system(header: LasHeader, file: str = "") -> StatedSystem:
+    """Read the coordinate system of a LAS header.
+
+    Parameters
+    ----------
+    header : laspy.LasHeader
+    file : str
+        Name of the file, for messages.
+    """
     records = list(header.vlrs) + list(header.evlrs or ())
+    by_wkt = by_keys = None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # PROJ's remarks on old WKT
         for record in records:
             if isinstance(record, WktCoordinateSystemVlr) and record.string.strip("\0 \n"):
-                return _of_wkt(record.string.strip("\0 \n"))
-        for record in records:
-            if isinstance(record, GeoKeyDirectoryVlr):
-                return _of_keys(*_keys(record, records))
-    return StatedSystem()
+                by_wkt = by_wkt or _of_wkt(record.string.strip("\0 \n"))
+            elif isinstance(record, GeoKeyDirectoryVlr) and record.geo_keys:
+                by_keys = by_keys or _of_keys(*_keys(record, records))
+        if by_wkt is None or by_keys is None:
+            return by_wkt or by_keys or StatedSystem()
+        pair = (by_wkt, by_keys) if header.global_encoding.wkt else (by_keys, by_wkt)
+        return _reconciled(*pair, file)
+
+
+def _reconciled(used: StatedSystem, other: StatedSystem, file: str) -> StatedSystem:
+    """The system that applies, with a warning where the other one contradicts it.
+
+    The other one counts where the first is not usable, or is the same without heights.
+    """
+    if not other.text:
+        return used
+    if not used.text:
+        note = Message("file.unusable_system", Level.NOTE, {"file": file, "system": other.label})
+        return replace(other, messages=(note,))
+    place, heights = _parts(used.text)
+    other_place, other_heights = _parts(other.text)
+    if place.equals(other_place, ignore_axis_order=True):
+        if heights is None and other_heights is not None:
+            return other
+        if heights is None or other_heights is None or heights == other_heights:
+            return used
+    conflict = Message(
+        "file.two_systems", Level.WARNING,
+        {"file": file, "used": used.label, "other": other.label},
+        actions=(Action("set_option", {"name": "crs", "value": other.text}),),
+    )  # fmt: skip
+    return replace(used, messages=(conflict,))
+
+
+def _parts(text: str) -> tuple[CRS, CRS | None]:
+    """Horizontal system, or all of an earth-centred one, and that of heights."""
+    crs = CRS.from_user_input(text)
+    crs = crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
+    parts = crs.sub_crs_list if crs.is_compound else [crs]
+    place = parts[0].source_crs if parts[0].is_bound and parts[0].source_crs else parts[0]
+    if place.is_geocentric:
+        return place, None
+    return place.to_2d(), parts[1] if len(parts) > 1 else None
 
 
 def _of_wkt(wkt: str) -> StatedSystem:

@@ -1,31 +1,37 @@
-"""Headers of LAS and LAZ that do not fit their file, refused before a library believes them.
+"""Headers of LAS and LAZ compared with their file before a library relies on them.
 
-laspy loops over records that are not there for minutes; lazrs allocates what a chunk table claims
-and ends the program where that fails.
+laspy loops over records that are not there for minutes and reads as many points as the header
+counts; lazrs allocates what a chunk table claims and ends the program where that fails.
 """
 
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import lazrs
+import numpy as np
 
 from lispac.errors import InputError
+from lispac.io.laz_chunks import RECORD_HEADER, laz_chunks
+from lispac.io.point_counts import Flags, PointCounts, Rows, counts_of_records
 
 SIGNATURE = b"LASF"
-RECORD_HEADER = 54
-LASZIP = (b"laszip encoded", 22204)
 COMPRESSED = 0x80
 """Bit of the point format number that marks LAZ."""
-LARGEST_CHUNK = 1 << 28
-"""Bytes of one chunk unpacked; writers make chunks of 50,000 points, a few megabytes."""
+WAVEFORMS_INSIDE = 0x02
+"""Bit of the global encoding: waveforms follow the points."""
+TIME_AT = {1: 20, 3: 20, 4: 20, 5: 20, 6: 22, 7: 22, 8: 22, 9: 22, 10: 22}
+"""Byte of gps_time in a record, by point format."""
+LARGEST_TIME = 1e11
+WEEK = 604_800.0
 
 
-def require_sound_header(path: Path) -> None:
-    """Refuse counts and sizes that the file is too short for.
+def require_sound_header(path: Path) -> PointCounts:
+    """Refuse sizes that do not fit the file, and count its points.
 
     Offsets from the LAS 1.4 specification, table 3: header size, start of the points, number of
-    variable length records, point format and record length, and from version 1.4 on the start and
-    number of the extended records.
+    variable length records, point format and record length, number of points, and from version 1.4
+    on the start and number of the extended records and the number of points with 64 bits.
 
     Raises
     ------
@@ -39,84 +45,87 @@ def require_sound_header(path: Path) -> None:
             f"{path}: cannot be read as LAS or LAZ (it does not start with LASF, as these do); "
             "check what it is, or export it again."
         )
-    if len(header) < 227:
-        return  # laspy says so at once
-    header_size, points_start, records = struct.unpack_from("<HII", header, 94)
-    sound = header_size + RECORD_HEADER * records <= points_start <= size
-    if header[24:26] == b"\x01\x04" and len(header) == 375:
-        extended_start, extended = struct.unpack_from("<QI", header, 235)
-        sound = sound and (extended == 0 or extended_start + 60 * extended <= size)
-    point_format, point_size = struct.unpack_from("<BH", header, 104)
-    if sound and point_format & COMPRESSED:
-        sound = _is_sound_laz(path, size, header_size, points_start, records, point_size)
-    elif sound:
-        _require_all_points(path, (size - points_start) // max(point_size, 1), header)
-    if not sound:
+    counts = _counts(path, size, header) if len(header) >= 227 else None
+    if counts is None:
         raise InputError(
             f"{path}: cannot be read as LAS or LAZ (its header does not fit its {size:,} bytes); "
             "copy or export it again."
         )
+    return counts
 
 
-def _require_all_points(path: Path, held: int, header: bytes) -> None:
-    """Refuse a file that ends before the last point that its header promises.
+def _counts(path: Path, size: int, header: bytes) -> PointCounts | None:
+    """Points by header and file; None where sizes do not fit.
 
     Raises
     ------
     InputError
+        Where points are missing.
     """
-    (promised,) = struct.unpack_from("<I", header, 107)
-    if header[24:26] == b"\x01\x04" and len(header) >= 255:
-        (promised,) = struct.unpack_from("<Q", header, 247)
-    if promised > held:
+    header_size, points_start, records = struct.unpack_from("<HII", header, 94)
+    point_format, point_size, count = struct.unpack_from("<BHI", header, 104)
+    legacy, end = 0, size
+    if not (header_size + RECORD_HEADER * records <= points_start <= size and point_size):
+        return None
+    if header[24:26] >= b"\x01\x03" and header[6] & WAVEFORMS_INSIDE and len(header) >= 235:
+        (waveforms,) = struct.unpack_from("<Q", header, 227)
+        end = waveforms if points_start < waveforms < end else end
+    if header[24:26] >= b"\x01\x04" and len(header) == 375:
+        legacy = count
+        extended_start, extended, count = struct.unpack_from("<QIQ", header, 235)
+        if extended:
+            if extended_start + 60 * extended > size:
+                return None
+            end = extended_start if points_start < extended_start < end else end
+    if point_format & COMPRESSED:
+        counts = _of_chunks(path, header_size, points_start, records, point_size, count or legacy)
+    else:
+        first = _time(path, points_start, point_format)
+        counts = counts_of_records(
+            path, points_start, end, point_size, count or legacy,
+            lambda rows: _plausible(rows, point_format, first if count or legacy else None),
+        )  # fmt: skip
+    if counts is None:
+        return None
+    counts = replace(counts, header=count, legacy=legacy)
+    if counts.held < count and counts.held != legacy:
         raise InputError(
-            f"{path}: the file ends after point {held:,} of the {promised:,} that its header "
+            f"{path}: the file ends after point {counts.held:,} of the {count:,} that its header "
             "promises, so it is cut short; copy or export it again."
         )
+    return counts
 
 
-def _is_sound_laz(
-    path: Path, size: int, header_size: int, points_start: int, records: int, point_size: int
-) -> bool:
+def _of_chunks(
+    path: Path, header_size: int, points_start: int, records: int, point_size: int, count: int
+) -> PointCounts | None:
+    chunks = laz_chunks(path, header_size, points_start, records, point_size)
+    if chunks is None:
+        return None
+    try:
+        return PointCounts(count, chunks.points(count))
+    except (lazrs.LazrsError, struct.error):
+        return None
+
+
+def _time(path: Path, points_start: int, point_format: int) -> float | None:
+    """Time of the first record, seconds; None where there is none."""
+    if point_format not in TIME_AT:
+        return None
     with path.open("rb") as file:
-        laszip = _laszip_record(file.read(points_start), header_size, records)
-        if laszip is None or size < points_start + 8:
-            return laszip is None  # laspy says that the record is missing
-        file.seek(points_start)
-        (table,) = struct.unpack("<q", file.read(8))
-        if table == -1:  # written to a stream: the offset is at the end
-            file.seek(size - 8)
-            (table,) = struct.unpack("<q", file.read(8))
-        if not points_start + 8 <= table <= size - 8:
-            return False
-        file.seek(table + 4)
-        (chunks,) = struct.unpack("<I", file.read(4))
-        # Every chunk starts with one point as it is.
-        if chunks * max(point_size, 1) > size:
-            return False
-        file.seek(points_start)
-        try:
-            record = lazrs.LazVlr(laszip)
-            table_of_chunks = lazrs.read_chunk_table(file, record)
-        except (lazrs.LazrsError, OSError, ValueError):
-            return False
-    held = sum(length for _, length in table_of_chunks)
-    most = max((count for count, _ in table_of_chunks), default=0)
-    return bool(
-        record.item_size() == point_size
-        and held <= size - points_start
-        and most * point_size <= LARGEST_CHUNK
-    )
+        file.seek(points_start + TIME_AT[point_format])
+        value = file.read(8)
+    return float(struct.unpack("<d", value)[0]) if len(value) == 8 else None
 
 
-def _laszip_record(head: bytes, at: int, records: int) -> bytes | None:
-    """Content of LAZ's own variable length record."""
-    for _ in range(records):
-        if at + RECORD_HEADER > len(head):
-            return None
-        user, number, length = struct.unpack_from("<16sHH", head, at + 2)
-        at += RECORD_HEADER
-        if (user.rstrip(b"\0"), number) == LASZIP:
-            return head[at : at + length]
-        at += length
-    return None
+def _plausible(rows: Rows, point_format: int, first: float | None) -> Flags:
+    """Whether records (n, size) may be points: their time is one, within a week of the first."""
+    if point_format not in TIME_AT:
+        return np.asarray(rows.any(axis=1))
+    at = TIME_AT[point_format]
+    time = rows[:, at : at + 8].copy().view("<f8")[:, 0]
+    with np.errstate(invalid="ignore", over="ignore"):
+        usable = np.abs(time) <= LARGEST_TIME
+        if first is not None and abs(first) <= LARGEST_TIME:
+            usable &= np.abs(time - first) <= WEEK
+    return np.asarray(usable & ((time == 0) | (np.abs(time) > 1e-9)))

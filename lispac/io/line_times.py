@@ -5,12 +5,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import laspy
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.las_guard import require_sound_header
+from lispac.io.las_chunks import opened, point_count
 from lispac.io.points import FRAME, SCANNER, plainly, scale_of, usable_points
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.progress import Progress, no_progress
@@ -78,7 +77,7 @@ def line_times(
     stated = str(choice.get(RESTART, ""))
     settled = format.settled(choice)
     scanner = settled[FRAME.name] == SCANNER
-    if format.key == "las" and (count := _points_of(path)) > READ_WHOLE:
+    if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
         found, places = _sampled(path, count, progress)
         if scanner:
             require_scanner_frame(places * scale_of(settled), path)
@@ -130,13 +129,6 @@ def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Pro
     return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
 
 
-def _points_of(path: Path) -> int:
-    with plainly(path, "LAS or LAZ"):
-        require_sound_header(path)
-        with laspy.open(path) as reader:
-            return int(reader.header.point_count)
-
-
 def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
     """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit.
 
@@ -146,7 +138,7 @@ def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Arr
         Where no time is usable.
     """
     parts, places = [], []
-    with plainly(path, "LAS or LAZ"), laspy.open(path) as reader:
+    with plainly(path, "LAS or LAZ"), opened(path) as reader:
         for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
             progress(k / BLOCKS, f"{path.name}: {k} of {BLOCKS} places looked at")
             reader.seek(int(first))

@@ -1,8 +1,9 @@
-"""Meshes of a scene from PLY, OBJ or STL.
+"""Meshes of a scene from PLY, OBJ or STL, known by their content.
 
 OBJ is read here: Open3D leaves faces of more than three corners out of it without a word.
 """
 
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import require_file
+from lispac.io.files import plain_name, require_file
 from lispac.simulation.meshes import Mesh
 
 Array = NDArray[np.float64]
 
 ENDINGS = (".ply", ".obj", ".stl")
+HEAD = 65_536
 
 
 def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
@@ -30,9 +32,8 @@ def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
         Where the file is missing, of another kind, or holds no triangle.
     """
     path = require_file(Path(path), "mesh")
-    if path.suffix.lower() not in ENDINGS:
-        raise InputError(f"{path}: a mesh ends in .ply, .obj or .stl; export it as one of these.")
-    vertices, triangles = _of_obj(path) if path.suffix.lower() == ".obj" else _of_open3d(path)
+    ending = _ending(path)
+    vertices, triangles = _of_obj(path) if ending == ".obj" else _of_open3d(path, ending)
     if not len(triangles):
         raise InputError(f"{path}: no triangles are in it; export the mesh, not its points.")
     if not np.isfinite(vertices).all():
@@ -44,11 +45,34 @@ def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
     return Mesh(name, vertices, triangles[wide], reflectance)
 
 
-def _of_open3d(path: Path) -> tuple[Array, NDArray[np.int64]]:
+def _ending(path: Path) -> str:
+    """Ending of the format that a mesh is in, by its first bytes, else by its name.
+
+    Raises
+    ------
+    InputError
+    """
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    if head[:4] in (b"ply\n", b"ply\r"):
+        return ".ply"
+    triangles = int.from_bytes(head[80:84], "little")
+    text = head.lstrip().startswith(b"solid") and b"facet" in head
+    if text or (len(head) >= 84 and path.stat().st_size == 84 + 50 * triangles):
+        return ".stl"
+    if re.search(rb"^v\s+[-+.\d]", head, re.MULTILINE) and b"\0" not in head:
+        return ".obj"
+    if path.suffix.lower() not in ENDINGS:
+        raise InputError(f"{path}: a mesh is PLY, OBJ or STL; export it as one of these.")
+    return path.suffix.lower()
+
+
+def _of_open3d(path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
     import open3d
 
-    with open3d.utility.VerbosityContextManager(open3d.utility.VerbosityLevel.Error):
-        found = open3d.io.read_triangle_mesh(path)
+    level = open3d.utility.VerbosityLevel.Error
+    with plain_name(path, ending) as name, open3d.utility.VerbosityContextManager(level):
+        found = open3d.io.read_triangle_mesh(name)
     return np.asarray(found.vertices, dtype=float), np.asarray(found.triangles, dtype=np.int64)
 
 

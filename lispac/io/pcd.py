@@ -5,6 +5,7 @@ damaged files; no kept package reads it. So the header is read here; the compres
 """
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.point_counts import PointCounts
 from lispac.io.points import (
     CHUNK,
     HEAD,
@@ -54,7 +56,7 @@ def look(path: Path, choice: Choice) -> Finding:
     records, kind = _header(path)
     with plainly(records.path, "PCD"):
         columns = _returns(next(_columns(records, kind, 100_000)))
-        return finding(PCD, columns, records.facts, choice, records.path, records.count)
+        return finding(PCD, columns, choice, records)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -126,7 +128,8 @@ def _header(path: Path) -> tuple[Records, str]:
     view = entries.get("VIEWPOINT", [])
     if view and view != ["0", "0", "0", "1", "0", "0", "0"]:
         facts["viewpoint"] = " ".join(view)[:100] + " (stated, not applied)"
-    return Records(path, dtype, count, start, kind == "ascii", facts), kind
+    records = Records(path, dtype, count, start, kind == "ascii", facts)
+    return _unpacked_count(records) if kind == "binary_compressed" else records.counted(), kind
 
 
 def _dtype(entries: Mapping[str, list[str]]) -> np.dtype[Any]:
@@ -143,6 +146,20 @@ def _dtype(entries: Mapping[str, list[str]]) -> np.dtype[Any]:
     if len({field[0] for field in fields}) != len(fields):
         raise ValueError("two fields of one name")
     return np.dtype(fields)
+
+
+def _unpacked_count(records: Records) -> Records:
+    """The same with the number of points that the compressed data unpack to, where it is larger."""
+    with records.path.open("rb") as file:
+        file.seek(records.start + 4)
+        data = file.read(4)
+    if len(data) < 4:
+        return records
+    held, rest = divmod(int.from_bytes(data, "little"), records.dtype.itemsize)
+    if rest or held <= records.count:
+        return records
+    counts = PointCounts(records.count, held)
+    return replace(records, count=held, messages=counts.messages(records.path))
 
 
 def _unpacked(records: Records, rows: int) -> Iterator[Columns]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.errors import InputError
 from lispac.io.files import require_file, written_whole
+from lispac.io.packed import require_unpacked
 
 COLUMNS = 25
 PASS_GAP = 10.0
@@ -110,11 +111,12 @@ def read_table(path: Path) -> NDArray[np.float64]:
     InputError
         Where the file is missing, empty, or not 25 columns of numbers with a unit normal.
     """
-    require_file(path, "plane")
+    require_unpacked(require_file(path, "plane"))
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # an empty file is refused below
-            table = np.loadtxt(path, ndmin=2, delimiter="," if _has_comma(path) else None)
+            with path.open(encoding="utf-8-sig") as file:
+                table = np.loadtxt(file, ndmin=2, delimiter="," if _has_comma(path) else None)
     except (ValueError, UnicodeDecodeError) as error:
         raise InputError(
             f"{path}: not a plane file of {COLUMNS} columns of numbers ({error})."

@@ -30,6 +30,8 @@ TYPES = {
     **dict.fromkeys(("int64", "long"), "i8"), **dict.fromkeys(("uint64", "ulong"), "u8"),
     **dict.fromkeys(("float", "float32"), "f4"), **dict.fromkeys(("double", "float64"), "f8"),
 }  # fmt: skip
+Element = tuple[str, int, list[tuple[str, str]]]
+"""Name, count, and name and type of each property."""
 ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
@@ -50,7 +52,7 @@ def look(path: Path, choice: Choice) -> Finding:
     records = _header(path)
     with plainly(records.path, "PLY"):
         columns = next(stored(records, 10_000))
-        return finding(PLY, columns, records.facts, choice, records.path, records.count)
+        return finding(PLY, columns, choice, records)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -92,19 +94,31 @@ def _header(path: Path) -> Records:
             comments.append(" ".join(words[1:]))
     if order not in ORDERS:
         raise InputError(f"{path}: the PLY format {order or 'missing'} is not known.")
-    for name, count, properties in elements:
+    for k, (name, count, properties) in enumerate(elements):
         dtype = _dtype(path, name, properties, ORDERS[order])
         if name == "vertex":
             require_axes(path, dtype.names or ())
             facts = {"format": f"PLY, {order.replace('_', ' ')}"}
             if comments:
                 facts["comments"] = "; ".join(comments)[:500]
-            return Records(path, dtype, count, start, order == "ascii", facts)
+            records = Records(path, dtype, count, start, order == "ascii", facts)
+            after = _size(elements[k + 1 :], order)
+            return records if after is None else records.counted(after)
         if order == "ascii":
             start = _after_lines(path, start, count)
         else:
             start += count * dtype.itemsize
     raise InputError(f"{path}: this PLY file has no vertices.")
+
+
+def _size(elements: list[Element], order: str) -> int | None:
+    """Rows or bytes of elements; None for lists of bytes, whose length varies."""
+    if order == "ascii":
+        return sum(count for _, count, _ in elements)
+    kinds = [(count, kind) for _, count, properties in elements for _, kind in properties]
+    if not all(kind in TYPES for _, kind in kinds):
+        return None
+    return sum(count * np.dtype(TYPES[kind]).itemsize for count, kind in kinds)
 
 
 def _count(path: Path, text: str) -> int:

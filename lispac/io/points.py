@@ -173,6 +173,8 @@ def sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
     @wraps(judge)
     def sniff(path: Path) -> float:
         try:
+            if not Path(path).is_file():
+                return NOT
             with Path(path).open("rb") as file:
                 return judge(file.read(HEAD), Path(path))
         except Exception:  # whatever a stranger's file does to a parser, it is not one of ours

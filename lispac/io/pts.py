@@ -67,14 +67,48 @@ def places(path: Path) -> Iterator[Array]:
 
 
 def has_count(path: Path) -> bool:
-    """Whether a file that ends so begins with its number of points, so that it has no times."""
-    if path.suffix.lower() != ENDING:
+    """Whether a file begins with its number of points as PTS does, so that it has no times."""
+    first, second = _first_rows(path, 2)
+    if not _COUNT.fullmatch(first):
         return False
+    return path.suffix.lower() == ENDING or _is_point_of_pts(second)
+
+
+def is_pts(path: Path) -> bool:
+    """Whether a file is PTS by its first rows; of the ending, unless they are another table."""
+    if has_count(path):
+        return True
+    (first,) = _first_rows(path, 1)
+    words = sum(not is_number(field) for field in first.split())
+    table = len(re.split("[,;]", first)) >= 3 or words >= 3
+    return path.suffix.lower() == ENDING and not table
+
+
+def is_ptx(path: Path) -> bool:
+    """Whether a text is PTX: columns and rows of a scan, poses of 3 numbers and of 4, points."""
+    rows = _first_rows(path, 10)
+    if not all(_COUNT.fullmatch(row) for row in rows[:2]):
+        return False
+    widths = [len(row.split()) if _is_point(row) else 0 for row in rows[2:]]
+    return widths == [3] * 4 + [4] * 4
+
+
+def _first_rows(path: Path, count: int) -> list[str]:
+    """First rows that are neither empty nor remarks; empty where there are no more."""
     try:
         texts = (text for _, line in lines_of(path, "PTS") if (text := line.strip()))
-        return bool(_COUNT.fullmatch(next((t for t in texts if not t.startswith(REMARKS)), "")))
+        rows = list(islice((text for text in texts if not text.startswith(REMARKS)), count))
     except InputError:
+        rows = []
+    return rows + [""] * (count - len(rows))
+
+
+def _is_point_of_pts(text: str) -> bool:
+    """Whether a row is x, y, z alone, or with intensity and a colour of 0 to 255."""
+    fields = text.split()
+    if not _is_point(text) or len(fields) not in (3, 7):
         return False
+    return all(field.isdecimal() and int(field) <= 255 for field in fields[4:])
 
 
 def _is_point(text: str) -> bool:

@@ -1,7 +1,7 @@
 """Points as records of fields after a text header: what PLY and PCD have in common."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO, Any
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.point_counts import Flags, Rows, counts_of_records, counts_of_rows
 from lispac.io.points import (
     PREVIEW,
     SECONDS,
@@ -24,6 +25,8 @@ from lispac.io.points import (
 )
 from lispac.io.registry import Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
+from lispac.messages import Message
+from lispac.survey.screening import LARGEST as LARGEST_COORDINATE
 
 LARGEST = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]
@@ -39,13 +42,15 @@ class Records:
     dtype : numpy.dtype
         Structured: the fields of one point, in the byte order of the file.
     count : int
-        Points the header promises.
+        Points to read.
     start : int
         Byte at which they begin.
     ascii : bool
         Whether they are text, one point a row.
     facts : mapping of str to str
         What else the header says.
+    messages : tuple of Message
+        Warnings about the number of points.
     """
 
     path: Path
@@ -54,6 +59,39 @@ class Records:
     start: int
     ascii: bool
     facts: Mapping[str, str]
+    messages: tuple[Message, ...] = ()
+
+    def counted(self, after: int = 0) -> "Records":
+        """The same with all points that the file holds, where its header counts fewer.
+
+        Parameters
+        ----------
+        after : int
+            Bytes, or rows of text, of other elements after the points.
+        """
+        if self.ascii:
+            columns = sum(max(1, np.prod(kind.shape)) for kind, *_ in self._fields)
+            counts = counts_of_rows(self.path, self.start, int(columns), self.count, after)
+        else:
+            end = self.path.stat().st_size - after
+            counts = counts_of_records(
+                self.path, self.start, end, self.dtype.itemsize, self.count, self._is_point
+            )
+        if counts.held < self.count:
+            return self
+        return replace(self, count=counts.held, messages=counts.messages(self.path))
+
+    @property
+    def _fields(self) -> list[tuple[Any, ...]]:
+        return list((self.dtype.fields or {}).values())
+
+    def _is_point(self, rows: Rows) -> Flags:
+        """Whether records (n, size) have usable coordinates, or none as PCL writes no return."""
+        values = rows.view(self.dtype)[:, 0]
+        xyz = np.stack([values[axis].astype(np.float64) for axis in "xyz"], axis=1)
+        with np.errstate(invalid="ignore"):
+            usable = (np.abs(xyz) <= LARGEST_COORDINATE).all(axis=1)
+        return np.asarray(usable | np.isnan(xyz).all(axis=1))
 
     def require_whole(self) -> None:
         """Refuse a header that promises more than the file holds.
@@ -172,19 +210,9 @@ def require_axes(path: Path, names: tuple[str, ...]) -> None:
         )
 
 
-def finding(
-    format_: Format, columns: Columns, facts: Mapping[str, str], choice: Choice, path: Path,
-    count: int | None,
-) -> Finding:  # fmt: skip
-    """What a look at the first points tells.
-
-    Parameters
-    ----------
-    facts : mapping of str to str
-        What the header says.
-    count : int or None
-        Points in the whole file.
-    """
+def finding(format_: Format, columns: Columns, choice: Choice, records: Records) -> Finding:
+    """What a look at the first points tells."""
+    path, count = records.path, records.count
     given, choice = choice, format_.settled(choice)
     first = {name: values[:PREVIEW] for name, values in columns.items()}
     field = field_of_time(path, tuple(first), str(choice["time_field"]))
@@ -209,8 +237,8 @@ def finding(
     settled = format_.settled({**found, **given})
     return Finding(
         {
-            **facts,
-            **({} if count is None else {"points": f"{count:,}"}),
+            **records.facts,
+            "points": f"{count:,}",
             **place_facts(settled),
             "time base": time_base(chunk.time, str(choice["time_base"])),
             **seen.facts,
@@ -221,4 +249,5 @@ def finding(
         table(tuple(first), tuple(first.values())),
         found,
         (*doubts, *base_doubts(chunk.time, str(choice["time_base"]))),
+        messages=records.messages,
     )

@@ -1,7 +1,7 @@
 """Clouds without time, of a tripod for one: their places alone, chunk by chunk.
 
 LAS and LAZ of any point format, E57 with the poses of its scans applied, PTS, and text with three
-columns of coordinates.
+columns of coordinates, each known by its content.
 """
 
 from collections.abc import Iterator
@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io import e57, las_chunks, pts
-from lispac.io.points import plainly, require_filled
+from lispac.io import e57, las_chunks, pcd, ply, pts
+from lispac.io.points import HEAD, plainly, require_filled
 from lispac.io.registry import NOT
 from lispac.io.seed_file import header_of, separator_of
 from lispac.io.text_layout import REMARKS, SEPARATORS
-from lispac.io.text_table import fields_of, is_number, lines_of
+from lispac.io.text_table import UTF16, fields_of, is_number, lines_of
+from lispac.messages import Message
 from lispac.survey.screening import LARGEST
 
 Array = NDArray[np.float64]
@@ -26,8 +27,6 @@ Array = NDArray[np.float64]
 WHAT = "static scan"
 LOOKED_AT = 20
 """Rows of a text that tell whether it has times."""
-OTHERS = (".ply", ".pcd", ".ptx", ".rcp", ".fls", ".zfs")
-"""Endings of clouds whose coordinates are not read without time."""
 
 
 @dataclass(frozen=True)
@@ -41,11 +40,14 @@ class StaticScan:
         Coordinate system as the file states it; empty where it states none.
     height_unit : str
         As the file states it; empty where it states none.
+    messages : tuple of Message
+        Warnings and notes about the file.
     """
 
     path: Path
-    system: str
-    height_unit: str
+    system: str = ""
+    height_unit: str = ""
+    messages: tuple[Message, ...] = ()
 
     @property
     def is_cloud(self) -> bool:
@@ -95,24 +97,37 @@ def static_scan(path: Path) -> StaticScan:
     path = require_filled(Path(path), WHAT)
     kind = _kind(path)
     if kind == "las":
-        return StaticScan(path, *las_chunks.stated_of(path))
+        stated = las_chunks.stated_of(path)
+        return StaticScan(path, stated.text, stated.height_unit, stated.messages)
     if kind == "e57":
-        return StaticScan(path, e57.stated_of(path), "")
-    if path.suffix.lower() in OTHERS:
-        raise InputError(
-            f"{path}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as "
-            "one of these."
-        )
-    return StaticScan(path, "", "")
+        system, messages = e57.stated_of(path)
+        return StaticScan(path, system, messages=messages)
+    return StaticScan(path)
 
 
 def _kind(path: Path) -> str:
-    """``las`` or ``e57`` by the first bytes, ``pts`` by the ending; empty for other text."""
+    """``las``, ``e57`` or ``pts`` by the content; empty for other text.
+
+    Raises
+    ------
+    InputError
+        Where it is a cloud in a format that is not read without time.
+    """
     if las_chunks.sniff(path) > NOT:
         return "las"
     if e57.sniff(path) > NOT:
         return "e57"
-    return "pts" if path.suffix.lower() == pts.ENDING else ""
+    other = pts.is_ptx(path) or any(each.sniff(path) > NOT for each in (ply, pcd))
+    if not other and pts.is_pts(path):
+        return "pts"
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    if other or (b"\0" in head and head[:2] not in UTF16):
+        raise InputError(
+            f"{path}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as "
+            "one of these."
+        )
+    return ""
 
 
 def _of_text(path: Path, local: bool) -> Array:
@@ -150,10 +165,10 @@ def _of_text(path: Path, local: bool) -> Array:
             f"{path}, row {sample[0]:,}: a static scan as text is read with decimal points; this "
             "one has commas: export it again."
         )
-    with plainly(path, f"text of a {WHAT}"):
+    with plainly(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
-            path, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
-            comments=list(REMARKS), encoding="utf-8-sig",
+            file, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
+            comments=list(REMARKS),
         )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import require_file
+from lispac.io.packed import require_unpacked
 
 Array = NDArray[np.float64]
 
@@ -92,6 +93,7 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
     path = require_file(Path(path), what)
     if path.stat().st_size == 0:
         raise InputError(f"{path}: this {what} file is empty; export it again.")
+    require_unpacked(path)
     try:
         with path.open(encoding=encoding_of(path), errors="replace", newline=None) as file:
             number = 0

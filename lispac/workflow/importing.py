@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import require_file
+from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
 from lispac.io.values import encoded
 from lispac.progress import Progress, no_progress, part
@@ -27,7 +28,7 @@ from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.line_points import FarCopies, LinePoints
-from lispac.workflow.reading import LAS_ENDINGS, local_trajectory
+from lispac.workflow.reading import local_trajectory
 
 Array = NDArray[np.float64]
 
@@ -158,10 +159,7 @@ def import_line(
 
 def _keep_header(line: LineSource, columns: Path) -> None:
     """Keep what a LAS file says besides its points, for a cloud made when it is gone."""
-    is_las = line.reading.format == "las" or (
-        not line.reading.format and line.path.suffix.lower() in LAS_ENDINGS
-    )
-    if is_las:
+    if line.reading.format == "las" or (not line.reading.format and is_las(line.path)):
         write_header_alone(line.path, columns / HEADER)
         (columns / HEADER_SUM).write_text(f"{checksum_of(columns / HEADER):08x}\n", "ascii")
 

@@ -3,14 +3,13 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from lispac.io.formats import format_of
+from lispac.io.formats import format_of, is_las
 from lispac.io.las_export import Pattern, pattern_of_columns, pattern_of_las
 from lispac.io.points import system_of
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.project import LineSource
 from lispac.survey.crs import CoordinateSystem
 from lispac.workflow.line_points import read_chunks, screened
-from lispac.workflow.reading import LAS_ENDINGS
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +37,7 @@ class Chunks:
         given = dict(line.reading.options)
         if line.reading.format:
             format = format_of(line.reading.format)
-        elif line.path.suffix.lower() in LAS_ENDINGS:
+        elif is_las(line.path):
             format = format_of("las")
         else:
             format = format_of("text")

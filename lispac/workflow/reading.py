@@ -9,7 +9,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import require_file
-from lispac.io.formats import format_of, recognised
+from lispac.io.formats import format_of, is_las, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
 from lispac.io.points import NO_SYSTEM, SCANNER, require_filled, system_of
 from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
@@ -21,7 +21,6 @@ from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccu
 
 FARTHEST_ORIGIN = 100_000.0
 """Metres; beyond, a plane tangent at the origin is no frame for the site."""
-LAS_ENDINGS = (".las", ".laz")
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
 }  # fmt: skip
@@ -246,6 +245,6 @@ def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
         if system_of(choice, line.path) is None:
             words += ("points are in the LiDAR frame",)
         return format, choice, words
-    if line.path.suffix.lower() in LAS_ENDINGS:
+    if is_las(line.path):
         return format_of("las"), {}, LAS_ASSUMPTIONS
     return format_of("text"), {"columns": " ".join(line.columns)}, TEXT_ASSUMPTIONS

@@ -12,6 +12,7 @@ from lispac.errors import InputError, PlaneNotFound
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_axes
 from lispac.io.seed_file import MOST, ListedPoint, read_point_list
 from lispac.io.static_scan import StaticScan, few_rows, static_scan
+from lispac.message_texts import message_text
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -155,7 +156,11 @@ def read_reference(
         chosen = crs or found.system or LOCAL
         system = system_of(project, survey.trajectory, chosen, height, trajectory_datum, epoch)
     words = "the local frame" if system is None else system.name
-    notes = (f"coordinates in {words}", *(() if system is None else system.assumptions))
+    notes = (
+        f"coordinates in {words}",
+        *(() if system is None else system.assumptions),
+        *(message_text(each) for each in found.messages if not (crs and each.actions)),
+    )
     with path.open("rb") as file:
         digest = hashlib.file_digest(file, "sha256").hexdigest()
     file_facts = (path, path.stat().st_size, digest)

@@ -10,7 +10,7 @@ import numpy as np
 
 from lispac.causes import Cause
 from lispac.errors import InputError
-from lispac.io.formats import format_of
+from lispac.io.formats import format_of, is_las
 from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
@@ -30,7 +30,6 @@ from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.line_points import read_line
 from lispac.workflow.moved import require_files
 from lispac.workflow.reading import (
-    LAS_ENDINGS,
     USUAL,
     local_trajectory,
     read_accuracy,
@@ -258,7 +257,7 @@ def _belongs_on_disk(project: Project, line: LineSource) -> bool:
 
 def _points_of(path: Path) -> int:
     """About how many points a line has; its reader says what is wrong with it."""
-    if path.suffix.lower() in LAS_ENDINGS:
+    if is_las(path):
         try:
             return point_count(path)
         except InputError:

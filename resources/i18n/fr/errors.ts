@@ -605,8 +605,72 @@
         <translation>{path} : ce fichier ({what}) n&apos;existe pas ; vérifiez le chemin.</translation>
     </message>
     <message>
-        <source>{path:file}: this is a folder, not a {what} file; choose a file.</source>
-        <translation>{path} : c&apos;est un dossier, pas un fichier ({what}) ; choisissez un fichier.</translation>
+        <source>{path:file}: this is a {kind}, not a {what} file; choose a file.</source>
+        <translation>{path} : {kind} au lieu d&apos;un fichier ({what}) ; choisissez un fichier.</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>named pipe (FIFO)</source>
+        <translation>tube nommé (FIFO)</translation>
+    </message>
+    <message>
+        <source>socket</source>
+        <translation>socket</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>périphérique</translation>
+    </message>
+    <message>
+        <source>disk device</source>
+        <translation>périphérique de stockage</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a {packing}; unpack it and choose the file inside.</source>
+        <translation>{path} : c&apos;est un fichier compressé ({packing}) ; décompressez-le et choisissez le fichier qu&apos;il contient.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this is a spreadsheet or another office document; save it as text (CSV).</source>
+        <translation>{path} : c&apos;est un classeur ou un autre document bureautique ; enregistrez-le en texte (CSV).</translation>
+    </message>
+    <message>
+        <source>ZIP archive</source>
+        <translation>archive ZIP</translation>
+    </message>
+    <message>
+        <source>7z archive</source>
+        <translation>archive 7z</translation>
+    </message>
+    <message>
+        <source>RAR archive</source>
+        <translation>archive RAR</translation>
+    </message>
+    <message>
+        <source>TAR archive</source>
+        <translation>archive TAR</translation>
+    </message>
+    <message>
+        <source>file compressed by xz</source>
+        <translation>xz</translation>
+    </message>
+    <message>
+        <source>file compressed by Zstandard</source>
+        <translation>Zstandard</translation>
+    </message>
+    <message>
+        <source>file compressed by LZ4</source>
+        <translation>LZ4</translation>
+    </message>
+    <message>
+        <source>file compressed by gzip</source>
+        <translation>gzip</translation>
+    </message>
+    <message>
+        <source>file compressed by bzip2</source>
+        <translation>bzip2</translation>
     </message>
     <message>
         <source>{path:file}: this {what} file cannot be read; check its permissions.</source>
@@ -655,6 +719,42 @@
     <message>
         <source>{path:file}: the header promises {count:n} points, the file holds {done:n}; copy or export it again.</source>
         <translation>{path} : l&apos;en-tête annonce {count} points, le fichier en contient {done} ; copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{file:file}: the header counts {header:n} points, but the file holds {held:n}. All of them are read. Export the file again before another program reads it.</source>
+        <translation>{file} : l&apos;en-tête compte {header} points, mais le fichier en contient {held}. Tous sont lus. Exportez de nouveau le fichier avant de le lire avec un autre programme.</translation>
+    </message>
+    <message>
+        <source>{file:file}: the two point counts of the header differ ({header:n} and {legacy:n}). The file holds {held:n} points, and all are read.</source>
+        <translation>{file} : les deux nombres de points de l&apos;en-tête diffèrent ({header} et {legacy}). Le fichier contient {held} points, et tous sont lus.</translation>
+    </message>
+    <message>
+        <source>{file:file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are not read. Export the file again if points are missing.</source>
+        <translation>{file} : {bytes} octets suivent les {held} points et ne ressemblent pas à des points. Ils ne sont pas lus. Exportez de nouveau le fichier s&apos;il manque des points.</translation>
+    </message>
+    <message>
+        <source>{file:file}: {count:n} of {total:n} points are marked as invalid in the file. They are not used.</source>
+        <translation>{file} : {count} points sur {total} sont marqués comme invalides dans le fichier. Ils ne sont pas utilisés.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a scan counts {counted:n} points and holds {held:n}, and no more than it counts can be read; export it again.</source>
+        <translation>{path} : un balayage compte {counted} points et en contient {held}, et seuls ceux qu&apos;il compte peuvent être lus ; exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>{file:file}: the header states two coordinate systems. {used:kept} applies by its WKT bit, {other:kept} does not. If the points are in the second one, they are placed wrongly: set it as the coordinate system (option crs).</source>
+        <translation>{file} : l&apos;en-tête indique deux systèmes de coordonnées. {used} s&apos;applique d&apos;après son bit WKT, {other} ne s&apos;applique pas. Si les points sont dans le second, ils sont mal placés : indiquez-le comme système de coordonnées (option crs).</translation>
+    </message>
+    <message>
+        <source>{file:file}: the coordinate system that applies by the header cannot be used. {system:kept}, which the header states as well, is used.</source>
+        <translation>{file} : le système de coordonnées qui s&apos;applique d&apos;après l&apos;en-tête est inutilisable. {system}, que l&apos;en-tête indique aussi, est utilisé.</translation>
+    </message>
+    <message>
+        <source>Set {name:kept} to {value:kept}</source>
+        <translation>Choisir {value} pour {name}</translation>
+    </message>
+    <message>
+        <source>the last chunk is damaged</source>
+        <translation>le dernier bloc est endommagé</translation>
     </message>
     <message>
         <source>{path:file}: point {bad:n} has a coordinate or time that is not a number ({such}); clean or export it again.</source>
@@ -757,8 +857,8 @@
         <translation>{path} : aucun point examiné n&apos;a de temps utilisable ; exportez la ligne de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: a mesh ends in .ply, .obj or .stl; export it as one of these.</source>
-        <translation>{path} : un maillage se termine par .ply, .obj ou .stl ; exportez-le sous l&apos;une de ces formes.</translation>
+        <source>{path:file}: a mesh is PLY, OBJ or STL; export it as one of these.</source>
+        <translation>{path} : un maillage est en PLY, OBJ ou STL ; exportez-le dans l&apos;un de ces formats.</translation>
     </message>
     <message>
         <source>{path:file}: no triangles are in it; export the mesh, not its points.</source>

@@ -1,0 +1,112 @@
+"""Number of records in the data packets of an E57 file (ASTM E2807, 9.3), apart from its XML.
+
+libE57 reads as many records as the XML counts. The packets hold the bytes of each field, so they
+show where there are more.
+"""
+
+import re
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO, Any
+
+PAGE, PAYLOAD = 1024, 1020
+"""Bytes of a page and those before its checksum."""
+DATA = 1
+"""Type of a packet with data, and of a section with packets."""
+REGISTER = 64
+"""Bits that packed integers are padded to at most."""
+
+
+def surplus(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
+    """Counted and held number of records of each vector of points that holds more than it counts.
+
+    Parameters
+    ----------
+    points : list of libe57.CompressedVectorNode
+        Those of all scans, in the order of the file.
+    """
+    with path.open("rb") as file:
+        offsets = _offsets(file)
+        if len(offsets) != len(points):
+            return
+        for node, offset in zip(points, offsets, strict=True):
+            counted, bits = int(node.childCount()), _bits(node)
+            held = counted
+            for total, width in zip(_stream_bytes(file, offset), bits, strict=False):
+                slack = 0 if width in (32, 64) else REGISTER
+                if width:
+                    held = max(held, (8 * total - slack) // width)
+                    if not slack:
+                        break
+            if held > counted:
+                yield counted, held
+
+
+def _bits(node: Any) -> list[int]:
+    """Bits of one value of each field; 0 where they vary, as in text."""
+    from pye57 import libe57
+
+    prototype = libe57.StructureNode(node.prototype())
+    found = []
+    for k in range(prototype.childCount()):
+        field = prototype.get(k)
+        kind = field.type()
+        if kind == libe57.E57_FLOAT:
+            single = libe57.FloatNode(field).precision() == libe57.E57_SINGLE
+            found.append(32 if single else 64)
+        elif kind == libe57.E57_INTEGER:
+            whole = libe57.IntegerNode(field)
+            found.append((whole.maximum() - whole.minimum()).bit_length())
+        elif kind == libe57.E57_SCALED_INTEGER:
+            scaled = libe57.ScaledIntegerNode(field)
+            found.append((scaled.maximum() - scaled.minimum()).bit_length())
+        else:
+            found.append(0)
+    return found
+
+
+def _offsets(file: IO[bytes]) -> list[int]:
+    """Physical position of each vector of points, by the XML."""
+    file.seek(24)
+    start, length = struct.unpack("<QQ", file.read(16))
+    xml = _read(file, _logical(start), length)
+    tags = re.findall(rb"<points\b[^>]*>", xml)
+    found = [re.search(rb'fileOffset="(\d+)"', tag) for tag in tags]
+    return [int(each[1]) for each in found if each]
+
+
+def _stream_bytes(file: IO[bytes], offset: int) -> list[int]:
+    """Bytes of each field in all data packets of a vector that begins at a physical position."""
+    at = _logical(offset)
+    head = _read(file, at, 32)
+    if len(head) < 32 or head[0] != DATA:
+        return []
+    length, first = struct.unpack_from("<QQ", head, 8)
+    end, at = at + length, _logical(first)
+    totals: list[int] = []
+    while at + 4 <= end:
+        head = _read(file, at, 6)
+        if len(head) < 6:
+            break
+        kind, _, size, streams = struct.unpack("<BBHH", head)
+        if kind == DATA:
+            lengths = struct.unpack(f"<{streams}H", _read(file, at + 6, 2 * streams))
+            totals = [a + b for a, b in zip(totals or [0] * streams, lengths, strict=True)]
+        at += size + 1
+    return totals
+
+
+def _logical(physical: int) -> int:
+    page, within = divmod(physical, PAGE)
+    return page * PAYLOAD + within
+
+
+def _read(file: IO[bytes], logical: int, count: int) -> bytes:
+    """Bytes from a logical position, without the checksums between them."""
+    page, within = divmod(logical, PAYLOAD)
+    pages = -(-(within + count) // PAYLOAD)
+    file.seek(page * PAGE)
+    data = file.read(pages * PAGE)
+    plain = b"".join(data[k : k + PAYLOAD] for k in range(0, len(data), PAGE))
+    return plain[within : within + count]

@@ -1,0 +1,164 @@
+"""Chunks of compressed points in LAZ, and the number of points in them.
+
+A chunk table gives the bytes of each chunk and, where chunks are of variable size, its points. In
+chunks of fixed size only the last one is open: point formats from 6 on state its points after its
+first record; for the others the decoder shows them, since it reads exactly the bytes that the
+encoder wrote.
+"""
+
+import io
+import struct
+from dataclasses import dataclass
+from pathlib import Path
+
+import lazrs
+
+RECORD_HEADER = 54
+LASZIP = (b"laszip encoded", 22204)
+LARGEST_CHUNK = 1 << 28
+"""Bytes of one chunk unpacked; writers make chunks of 50,000 points, a few megabytes."""
+LAYERED = 3
+"""Compressor of point formats from 6 on."""
+
+
+@dataclass(frozen=True)
+class LazChunks:
+    """Where the chunks of a LAZ file lie.
+
+    Attributes
+    ----------
+    path : Path
+    start : int
+        Byte at which the first chunk begins.
+    record : bytes
+        Content of LAZ's variable length record.
+    table : tuple of (int, int)
+        Points and bytes of each chunk; with a fixed size the last one has up to as many points.
+    """
+
+    path: Path
+    start: int
+    record: bytes
+    table: tuple[tuple[int, int], ...]
+
+    def points(self, header: int) -> int:
+        """Number of points in all chunks.
+
+        Parameters
+        ----------
+        header : int
+            As the header counts; it is tried first.
+
+        Raises
+        ------
+        lazrs.LazrsError
+            Where the last chunk is damaged.
+        """
+        laz = lazrs.LazVlr(self.record)
+        whole = sum(count for count, _ in self.table)
+        if laz.uses_variable_size_chunks() or not self.table:
+            return int(whole)
+        most, length = self.table[-1]
+        before = whole - most
+        with self.path.open("rb") as file:
+            file.seek(self.start + sum(size for _, size in self.table[:-1]))
+            data = file.read(length)
+        if self.record[0] == LAYERED:
+            (last,) = struct.unpack_from("<I", data, laz.item_size())
+            return int(before + last) if 0 < last <= most else header
+        return int(before + _LastChunk(data, self.record).points(header - before, most))
+
+
+@dataclass(frozen=True)
+class _LastChunk:
+    """Compressed points of one chunk of an unknown number of points."""
+
+    data: bytes
+    record: bytes
+
+    def points(self, likely: int, most: int) -> int:
+        """The number of points that takes all bytes; ``likely`` where it does.
+
+        Raises
+        ------
+        lazrs.LazrsError
+            Where no number does.
+        """
+        if 0 < likely <= most and self._decodes(likely) and not self._decodes(likely, 1):
+            return likely
+        low, high = 0, most
+        while low < high:
+            middle = (low + high + 1) // 2
+            low, high = (middle, high) if self._decodes(middle, 1) else (low, middle - 1)
+        if not self._decodes(low + 1):
+            raise lazrs.LazrsError("the last chunk is damaged")
+        return low + 1
+
+    def _decodes(self, count: int, missing: int = 0) -> bool:
+        """Whether so many points can be decoded without the last ``missing`` bytes."""
+        laz = lazrs.LazVlr(self.record)
+        stream = io.BytesIO()
+        stream.write(struct.pack("<q", 8 + len(self.data)) + self.data)
+        lazrs.write_chunk_table(stream, [(laz.chunk_size(), len(self.data))], laz)
+        stream.seek(0)
+        decoder = lazrs.LasZipDecompressor(stream, self.record)
+        stream.truncate(8 + len(self.data) - missing)
+        try:
+            decoder.decompress_many(bytearray(count * laz.item_size()))
+        except lazrs.LazrsError:
+            return False
+        return True
+
+
+def laz_chunks(
+    path: Path, header_size: int, points_start: int, records: int, point_size: int
+) -> LazChunks | None:
+    """Read the chunk table; None where it does not fit the file.
+
+    lazrs allocates what a chunk table claims and ends the program where that fails, so sizes are
+    checked before.
+    """
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        record = _laszip_record(file.read(points_start), header_size, records)
+        if record is None or size < points_start + 8:
+            return None
+        file.seek(points_start)
+        (table,) = struct.unpack("<q", file.read(8))
+        if table == -1:  # written to a stream: the offset is at the end
+            file.seek(size - 8)
+            (table,) = struct.unpack("<q", file.read(8))
+        if not points_start + 8 <= table <= size - 8:
+            return None
+        file.seek(table + 4)
+        (chunks,) = struct.unpack("<I", file.read(4))
+        # Every chunk starts with one point as it is.
+        if chunks * max(point_size, 1) > size:
+            return None
+        file.seek(points_start)
+        try:
+            laz = lazrs.LazVlr(record)
+            found = tuple(entry for entry in lazrs.read_chunk_table(file, laz) if entry[1])
+        except (lazrs.LazrsError, OSError, ValueError):
+            return None
+    held = sum(length for _, length in found)
+    most = max((count for count, _ in found), default=0)
+    sound = (
+        laz.item_size() == point_size
+        and held <= size - points_start
+        and most * point_size <= LARGEST_CHUNK
+    )
+    return LazChunks(path, points_start + 8, record, found) if sound else None
+
+
+def _laszip_record(head: bytes, at: int, records: int) -> bytes | None:
+    """Content of LAZ's own variable length record."""
+    for _ in range(records):
+        if at + RECORD_HEADER > len(head):
+            return None
+        user, number, length = struct.unpack_from("<16sHH", head, at + 2)
+        at += RECORD_HEADER
+        if (user.rstrip(b"\0"), number) == LASZIP:
+            return head[at : at + length]
+        at += length
+    return None

@@ -1,0 +1,65 @@
+"""Archives and compressed files, recognised by their first bytes."""
+
+import zlib
+from pathlib import Path
+
+from lispac.errors import InputError
+
+HEAD = 4096
+GZIP = b"\x1f\x8b\x08"
+MAGIC = {
+    b"PK\x03\x04": "ZIP archive", b"PK\x05\x06": "ZIP archive",
+    b"7z\xbc\xaf\x27\x1c": "7z archive", b"Rar!\x1a\x07": "RAR archive",
+    b"\xfd7zXZ\x00": "file compressed by xz", b"\x28\xb5\x2f\xfd": "file compressed by Zstandard",
+    b"\x04\x22\x4d\x18": "file compressed by LZ4",
+}  # fmt: skip
+BZIP2 = b"1AY&SY"
+"""After ``BZh`` and the size of its blocks."""
+TAR, TAR_AT = b"ustar", 257
+OFFICE = (b"[Content_Types].xml", b"mimetypeapplication/vnd.")
+"""Names of the first file in spreadsheets of Excel and LibreOffice, which are ZIP archives."""
+
+
+def require_unpacked(path: Path, *, text: bool = False) -> None:
+    """Refuse an archive or a compressed file.
+
+    Parameters
+    ----------
+    text : bool
+        Whether text compressed by gzip passes.
+
+    Raises
+    ------
+    InputError
+    """
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    if any(head.startswith(b"PK") and mark in head[:512] for mark in OFFICE):
+        raise InputError(
+            f"{path}: this is a spreadsheet or another office document; save it as text (CSV)."
+        )
+    packing = _packing(head)
+    if not packing or (text and head.startswith(GZIP) and b"\0" not in (_unzipped(head) or b"\0")):
+        return
+    raise InputError(f"{path}: this is a {packing}; unpack it and choose the file inside.")
+
+
+def _packing(head: bytes) -> str:
+    """What kind of archive begins so; empty for none."""
+    for magic, name in MAGIC.items():
+        if head.startswith(magic):
+            return name
+    # Two or three bytes also occur by chance at the beginning of binary records.
+    if head.startswith(GZIP) and _unzipped(head) is not None:
+        return "file compressed by gzip"
+    if head[:3] == b"BZh" and head[4:10] == BZIP2:
+        return "file compressed by bzip2"
+    return "TAR archive" if head[TAR_AT:].startswith(TAR) else ""
+
+
+def _unzipped(head: bytes) -> bytes | None:
+    """First bytes of what gzip compressed; None where it is not gzip."""
+    try:
+        return zlib.decompressobj(zlib.MAX_WBITS | 16).decompress(head, HEAD)
+    except zlib.error:
+        return None

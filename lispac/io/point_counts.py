@@ -1,0 +1,130 @@
+"""Number of points that a file holds, compared with the number that its header counts.
+
+Headers with wrong counts come from recorders that were stopped before they wrote the count, and
+from programs that append points without changing it.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.messages import Level, Message, Value
+
+Rows = NDArray[np.uint8]
+Flags = NDArray[np.bool_]
+BLOCK = 1 << 22
+"""Bytes searched at once for records that are not zero."""
+SAMPLE = 10_000
+"""Records beyond the header count that are checked for plausible values."""
+PLAUSIBLE = 0.5
+"""Share of plausible records from which data beyond the header count are taken for points."""
+
+
+@dataclass(frozen=True)
+class PointCounts:
+    """Number of points by the header and by the file.
+
+    Attributes
+    ----------
+    header : int
+        As the header counts.
+    held : int
+        Points that the file holds and that are read.
+    legacy : int
+        Second count of a LAS 1.4 header, of 32 bits; 0 where there is none.
+    unread : int
+        Bytes after the counted points that do not look like points.
+    """
+
+    header: int
+    held: int
+    legacy: int = 0
+    unread: int = 0
+
+    def messages(self, path: Path) -> tuple[Message, ...]:
+        """Warnings and notes about counts that do not fit the file."""
+        found: list[Message] = []
+        counts: dict[str, Value] = {"file": path.name, "header": self.header, "held": self.held}
+        if self.held not in (self.header, self.legacy):
+            found.append(Message("file.header_count", Level.WARNING, counts))
+        elif self.legacy and self.legacy != self.header:
+            legacy = {**counts, "legacy": self.legacy}
+            found.append(Message("file.legacy_count", Level.NOTE, legacy))
+        if self.unread:
+            unread = {**counts, "bytes": self.unread}
+            found.append(Message("file.unread_bytes", Level.WARNING, unread))
+        return tuple(found)
+
+
+def counts_of_records(
+    path: Path, start: int, end: int, size: int, header: int, is_point: Callable[[Rows], Flags]
+) -> PointCounts:
+    """Count fixed-size records; records of zeros at the end are padding.
+
+    Parameters
+    ----------
+    start, end : int
+        First byte of the records and the byte after the last one.
+    size : int
+        Bytes of a record.
+    header : int
+        As the header counts.
+    is_point : callable
+        Records (n, size) to flags (n,) of those with plausible values.
+    """
+    held = max(0, end - start) // size
+    if held <= header:
+        return PointCounts(header, held)
+    held = _without_zeros(path, start, size, header, held)
+    if held == header:
+        return PointCounts(header, header)
+    rows = np.memmap(path, np.uint8, "r", start, (held, size))
+    numbers = np.unique(np.linspace(header, held - 1, min(SAMPLE, held - header)).astype(int))
+    if is_point(np.array(rows[numbers])).mean() >= PLAUSIBLE:
+        return PointCounts(header, held)
+    return PointCounts(header, header, unread=end - start - header * size)
+
+
+def counts_of_rows(path: Path, start: int, columns: int, header: int, after: int) -> PointCounts:
+    """Count rows of text; those beyond the header count are points while their columns match.
+
+    Parameters
+    ----------
+    start : int
+        Byte at which the first point begins.
+    columns : int
+        Values of a point.
+    header : int
+        As the header counts.
+    after : int
+        Rows of something else after the points.
+    """
+    rows = matching = length = used = 0
+    with path.open("rb") as file:
+        file.seek(start)
+        for line in file:
+            length += len(line)
+            if not line.strip():
+                continue
+            if rows < header or (rows == matching and len(line.split()) == columns):
+                matching, used = matching + 1, length
+            rows += 1
+    held = min(matching, max(header, rows - after))
+    unread = length - used if rows - after > held else 0
+    return PointCounts(header, held, unread=unread)
+
+
+def _without_zeros(path: Path, start: int, size: int, header: int, held: int) -> int:
+    """Number of records up to the last one after ``header`` that is not zero."""
+    step = max(1, BLOCK // size)
+    rows = np.memmap(path, np.uint8, "r", start, (held, size))
+    while held > header:
+        first = max(header, held - step)
+        used = np.flatnonzero(rows[first:held].any(axis=1))
+        if len(used):
+            return first + int(used[-1]) + 1
+        held = first
+    return held
