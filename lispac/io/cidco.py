@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.points import (
     CHUNK,
-    MOST_UNUSABLE,
     PLACE,
     PREVIEW,
     place_facts,
@@ -25,6 +24,7 @@ from lispac.io.points import (
     sniffer,
     table,
     time_base,
+    usable_numbers,
 )
 from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
@@ -121,10 +121,9 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             whole = len(data) // RECORD * RECORD
             records = np.frombuffer(data[:whole], "<f8").reshape(-1, COLUMNS).astype(np.float64)
             require_points(records[:, 4:7], records[:, 3], path, done)
-            bad = ~_closed(records)
-            if bad.sum() <= MOST_UNUSABLE * len(bad):
-                records[bad, 4:7] = np.nan  # excluded by the screening, as other unusable points
-            else:
+            usable = usable_numbers(records[:, 4:7], records[:, 3])
+            bad = usable & ~_closed(records)
+            if bad.any():
                 raise InputError(
                     f"{path}: point {done + int(np.argmax(bad)) + 1:,} does not hold together "
                     "(distance to the POS, angles or sigmas): the file is not CIDCO's or has "

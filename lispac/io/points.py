@@ -265,7 +265,13 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
 
 
 def usable_numbers(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
-    """Which points have coordinates (n, 3) and times (n,) that are usable numbers, shape (n,)."""
+    """Which points have coordinates and times that are usable numbers, shape (n,).
+
+    Parameters
+    ----------
+    xyz : ndarray of shape (n, 3), frame and unit of the file
+    time : ndarray of shape (n,), in the unit of the file
+    """
     return np.asarray(
         (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME), dtype=bool
     )

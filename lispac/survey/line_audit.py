@@ -65,7 +65,7 @@ class LineAudit:
 
     @property
     def points_per_time(self) -> float:
-        """First returns with one time, on average."""
+        """First returns with one time, on average; no unit."""
         return self.first_returns / max(self.distinct_times, 1)
 
 
@@ -110,6 +110,20 @@ def time_step_of(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes: in
     k = int(gaps.argmax())
     near = slice(max(0, k - 1), k + 2)  # rounding spreads one step over neighbouring bins
     return float(sums[near].sum() / gaps[near].sum())
+
+
+GRID_STEPS = (1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
+"""Seconds: steps that times are rounded to, the coarsest first."""
+GRID_TOLERANCE = 1e-6
+"""Seconds by which rounded times may miss a step: what 64 bits leave of a time since 1980."""
+
+
+def grid_of(times: NDArray[np.float64]) -> float:
+    """Coarsest step that all ``times`` (n,), seconds, are multiples of; 0 where there is none."""
+    for step in GRID_STEPS:
+        if np.abs(times - np.round(times / step) * step).max(initial=0.0) <= GRID_TOLERANCE:
+            return step
+    return 0.0
 
 
 def spans_of(seconds: NDArray[np.int64]) -> list[list[float]]:

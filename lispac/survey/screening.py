@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.survey import screening_kernels as kernels
-from lispac.survey.line_audit import SKETCH, LineAudit, spans_of, time_step_of
+from lispac.survey.line_audit import SKETCH, LineAudit, grid_of, spans_of, time_step_of
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -34,6 +34,8 @@ GROUPS = (
 """Attributes that tell the scanners or passes of one file apart."""
 MOST_VALUES = 64
 """Values of such an attribute that are counted; one with more is something else."""
+TIMES_OF_CHUNK, MOST_CHUNKS_OF_TIMES = 1000, 20
+"""Times of a chunk, and chunks, that tell whether times are on a grid."""
 RANGE_STEP = 101
 """One point in so many is taken for the mean range."""
 
@@ -173,6 +175,7 @@ class PointScreen:
         self._groups: dict[str, dict[int, int]] = {}
         self._noise: dict[int, int] = {}
         self._range_sum, self._range_count = 0.0, 0
+        self._some_times: list[Array] = []
 
     def __call__(self, time: Array, xyz: Array, extra: Mapping[str, NDArray[Any]]) -> Mask:
         """Which points of the next chunk are used, shape (n,).
@@ -239,7 +242,7 @@ class PointScreen:
             noise={str(k): count for k, count in sorted(self._noise.items())},
             first_returns=self._first_returns,
             distinct_times=self._changes,
-            time_step=time_step_of(self._gaps, self._sums, self._changes),
+            time_step=self._time_step(),
             groups={
                 name: {str(value): count for value, count in sorted(found.items())}
                 for name, found in self._groups.items()
@@ -251,6 +254,16 @@ class PointScreen:
             sketch=[value >> 1 for value in sorted(self._sketch)[:SKETCH]],
             repeated=1.0 - len(self._sketch) / times if times else 0.0,
         )
+
+    def _time_step(self) -> float:
+        """Step of the times where they are coarse, seconds; 0 where they are not.
+
+        Points seen once a turn of the mirror have gaps of a turn, however fine their times: so
+        the step is that of a grid, if the times are on one.
+        """
+        step = time_step_of(self._gaps, self._sums, self._changes)
+        grid = grid_of(np.concatenate(self._some_times)) if step else 0.0
+        return min(step, grid) if grid else step
 
     # -- parts -------------------------------------------------------------------------------
 
@@ -308,6 +321,8 @@ class PointScreen:
         self._first_returns += points
         self._changes += changes
         self._seconds = np.union1d(self._seconds, seconds[:entries])
+        if len(self._some_times) < MOST_CHUNKS_OF_TIMES:
+            self._some_times.append(time[first][:: 1 + len(time) // TIMES_OF_CHUNK])
         for name in GROUPS:
             if name in extra and len(self._groups.setdefault(name, {})) <= MOST_VALUES:
                 _count(self._groups[name], np.asarray(extra[name])[used])

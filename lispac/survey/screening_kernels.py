@@ -1,5 +1,8 @@
 """Compiled passes that screen the points of a line: usable values, copies, steps of time.
 
+Times are counted and copies found by hashes, as the audit needs them
+(`lispac.survey.line_audit`; hash by A. Appleby, MurmurHash3 (2011)).
+
 Each function works on one chunk in the order of the file and carries its state in arrays, so that
 a line of any length is screened in constant memory.
 """

@@ -246,7 +246,12 @@ def screened(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterat
 
 
 def rows_of(chunk: PointChunk, chosen: NDArray[np.bool_]) -> PointChunk:
-    """Some points of a chunk; attributes that are packed in a record stay packed."""
+    """Some points of a chunk; attributes that are packed in a record stay packed.
+
+    Parameters
+    ----------
+    chosen : ndarray of shape (n,), bool
+    """
     if chosen.all():
         return chunk
     packed = getattr(chunk.extra, "rows", None)

@@ -5473,4 +5473,111 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Distance entre deux lignes (mm)</translation>
     </message>
 </context>
+<context>
+    <name>points of a line</name>
+    <message>
+        <source>{line:kept}: point times are in steps of {step:n} ms, with {points:n} points to each step. Positions of points are off by up to {shift:n} mm and attitudes by up to {turn:n} deg, which does not average out. Export the line with exact times (64 bits).</source>
+        <translation>{line} : les temps des points progressent par pas de {step} ms, avec {points} points par pas. Les points sont décalés de {shift} mm au plus et l&apos;attitude de {turn} deg au plus, ce que la moyenne ne compense pas. Exportez la ligne avec des temps exacts (64 bits).</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) have values that are not numbers. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) ont des valeurs qui ne sont pas des nombres. Ils sont exclus.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) have no range: shots without an echo. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) n&apos;ont pas de distance : des tirs sans écho. Ils sont exclus.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) lie beyond the largest range of the scanner. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) se trouvent au-delà de la portée maximale du scanneur. Ils sont exclus.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) are exact copies of other points. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) sont des copies exactes d&apos;autres points. Ils sont exclus.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) have the withheld flag. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) portent l&apos;indicateur « withheld ». Ils sont exclus.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) are excluded by their class.</source>
+        <translation>{line} : {count} points ({share} %) sont exclus d&apos;après leur classe.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points ({share:n} %) do not meet the conditions given for the line. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) ne remplissent pas les conditions données pour la ligne. Ils sont exclus.</translation>
+    </message>
+    <message>
+        <source>{line:kept} was imported by an earlier version, which did not check its points. Import the line again.</source>
+        <translation>{line} a été importée par une version antérieure, qui n&apos;a pas contrôlé ses points. Importez la ligne de nouveau.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: {count:n} points are classified as noise (class {classes:kept}). They may lie off the targets. Exclude these classes.</source>
+        <translation>{line} : {count} points sont classés comme bruit (classe {classes}). Ils peuvent se trouver hors des cibles. Excluez ces classes.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the file holds points of {count:n} scanners ({attribute:kept} {values:kept}). Each scanner has its own boresight and lever arm, so one boresight for all is wrong. Split the line, or use one scanner.</source>
+        <translation>{line} : le fichier contient les points de {count} scanneurs ({attribute} {values}). Chaque scanneur a ses propres angles de visée et son bras de levier : des angles communs à tous sont faux. Divisez la ligne, ou n&apos;utilisez qu&apos;un scanneur.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the file holds points of {count:n} sources ({attribute:kept} {values:kept}): several passes or several scanners. Passes that count as one line are not compared with each other, and one boresight does not fit several scanners. Split the line, or use one source.</source>
+        <translation>{line} : le fichier contient les points de {count} sources ({attribute} {values}) : plusieurs passages ou plusieurs scanneurs. Des passages réunis en une ligne ne sont pas comparés entre eux, et des angles communs ne conviennent pas à plusieurs scanneurs. Divisez la ligne, ou n&apos;utilisez qu&apos;une source.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the file holds {count:n} passes, separated by pauses in which the vessel turned. They count as one line and are not compared with each other. Split the line.</source>
+        <translation>{line} : le fichier contient {count} passages, séparés par des pauses pendant lesquelles le navire a tourné. Ils comptent pour une ligne et ne sont pas comparés entre eux. Divisez la ligne.</translation>
+    </message>
+    <message>
+        <source>{line:kept} and {other:kept} have points in common ({share:n} % of the smaller line). Points that count twice make the standard deviations too small. Exclude {smaller:kept}.</source>
+        <translation>{line} et {other} ont des points en commun ({share} % de la plus petite ligne). Des points comptés deux fois donnent des écarts-types trop petits. Excluez {smaller}.</translation>
+    </message>
+    <message>
+        <source>Exclude {line:kept}</source>
+        <translation>Exclure {line}</translation>
+    </message>
+    <message>
+        <source>Split {line:kept} into lines by {by:kept}</source>
+        <translation>Diviser {line} en lignes selon {by}</translation>
+    </message>
+    <message>
+        <source>{part:kept}: not a condition for points; give ATTRIBUTE=VALUE or ATTRIBUTE=LOW:HIGH, scanner_channel=0 or time=1200:1260 for example.</source>
+        <translation>{part} : ce n&apos;est pas une condition pour des points ; donnez ATTRIBUT=VALEUR ou ATTRIBUT=MIN:MAX, par exemple scanner_channel=0 ou time=1200:1260.</translation>
+    </message>
+    <message>
+        <source>{text:kept}: not a list of classes; give numbers, 7 18 for example.</source>
+        <translation>{text} : ce n&apos;est pas une liste de classes ; donnez des nombres, 7 18 par exemple.</translation>
+    </message>
+    <message>
+        <source>{text:kept}: not a largest range; give metres, 250 for example.</source>
+        <translation>{text} : ce n&apos;est pas une portée maximale ; donnez des mètres, 250 par exemple.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: the points have no such attribute to select by; they have {names:kept}.</source>
+        <translation>{name} : les points n&apos;ont pas un tel attribut de sélection ; ils ont {names}.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: has several values a point and cannot be selected by.</source>
+        <translation>{name} : cet attribut a plusieurs valeurs par point et ne permet pas de sélection.</translation>
+    </message>
+    <message>
+        <source>{path:file}: none of its {read:n} points can be used: {nan:n} are not numbers, {none:n} have no range, {far:n} are too far, {withheld:n} are withheld, {others:n} are not selected; check the options of the line or export it again.</source>
+        <translation>{path} : aucun de ses {read} points n&apos;est utilisable : {nan} ne sont pas des nombres, {none} n&apos;ont pas de distance, {far} sont trop loin, {withheld} sont retenus (« withheld »), {others} ne sont pas choisis ; vérifiez les options de la ligne ou exportez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>Points with the withheld flag: excluded or used</source>
+        <translation>Points portant l&apos;indicateur « withheld » : exclus ou utilisés</translation>
+    </message>
+    <message>
+        <source>Classes of points to exclude, 7 18 for noise; empty: none</source>
+        <translation>Classes de points à exclure, 7 18 pour le bruit ; vide : aucune</translation>
+    </message>
+    <message>
+        <source>Use only points with these attributes, scanner_channel=0 or time=1200:1260 for example; empty: all</source>
+        <translation>N&apos;utiliser que les points ayant ces attributs, par exemple scanner_channel=0 ou time=1200:1260 ; vide : tous</translation>
+    </message>
+    <message>
+        <source>Largest range of the scanner in metres; empty: 5000</source>
+        <translation>Portée maximale du scanneur en mètres ; vide : 5000</translation>
+    </message>
+</context>
 </TS>
