@@ -208,15 +208,7 @@ OWN = {
     "design": {"advice", "monte_carlo", "prediction", "site"},
     "geometry": {"neighbours"},
     "simulation": {"casting", "pos_error_models", "scene", "vessel"},
-    "survey": {
-        "axes",
-        "correction",
-        "present",
-        "recovery",
-        "runs",
-        "scan",
-        "screening_kernels",
-    },
+    "survey": {"axes", "correction", "present", "recovery", "runs", "scan"},
     "targets": {"across_lines", "outline", "quality", "section", "shift", "smear"},
     "validation": {"absolute", "footprint", "layers", "place_widths", "plane_offset"},
 }

@@ -8,11 +8,12 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io.files import written_whole
+from lispac.io.formats import format_of
 from lispac.io.las import read_scan, write_points
 from lispac.io.plane_file import read_plane_files, write_plane_file
 from lispac.io.project_file import read_project, write_project
+from lispac.io.registry import PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
-from lispac.io.text import read_text_scan
 from lispac.survey.georeferencing import Mounting, Poses, place
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests.report_sample import sample_project
@@ -133,7 +134,7 @@ def test_las_without_gps_time_is_refused(tmp_path: Path) -> None:
 
 def test_empty_las_is_refused(tmp_path: Path) -> None:
     path = las_file(tmp_path / "a.las", point_format=6, version="1.4", count=0)
-    with pytest.raises(InputError, match="holds no points"):
+    with pytest.raises(InputError, match="no row of four numbers"):
         read_scan(path)
 
 
@@ -162,32 +163,37 @@ TEXTS = {
 }
 
 
+def text_chunks(path: Path, columns: tuple[str, ...]) -> list[PointChunk]:
+    chunks = format_of("text").read(path, {"columns": " ".join(columns)})
+    return [chunk for chunk in chunks if isinstance(chunk, PointChunk)]
+
+
 @pytest.mark.parametrize("name", TEXTS)
 def test_text_line(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_text(TEXTS[name])
-    scan = read_text_scan(tmp_path / name, ("time", "x", "y", "z", "intensity"))
-    np.testing.assert_array_equal(scan.points_lidar, [[2, 3, 4], [2.5, 3.5, 4.5]])
-    np.testing.assert_array_equal(scan.time, [1.0, 1.5])
-    np.testing.assert_array_equal(scan.intensity, [9, 9])
+    (chunk,) = text_chunks(tmp_path / name, ("time", "x", "y", "z", "intensity"))
+    np.testing.assert_array_equal(chunk.xyz, [[2, 3, 4], [2.5, 3.5, 4.5]])
+    np.testing.assert_array_equal(chunk.time, [1.0, 1.5])
+    np.testing.assert_array_equal(chunk.extra["intensity"], [9, 9])
 
 
 def test_text_columns_in_any_order_and_passed_over(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("7 4.0 3.0 2.0 1.0\n")
-    scan = read_text_scan(tmp_path / "a.txt", ("-", "z", "y", "x", "time"))
-    np.testing.assert_array_equal(scan.points_lidar, [[2, 3, 4]])
-    assert scan.intensity is None
+    (chunk,) = text_chunks(tmp_path / "a.txt", ("-", "z", "y", "x", "time"))
+    np.testing.assert_array_equal(chunk.xyz, [[2, 3, 4]])
+    assert "intensity" not in chunk.extra
 
 
 @pytest.mark.parametrize(
     ("text", "columns", "said"),
     [
         ("1 2 3 4\n", ("time", "x", "y"), "lack z"),
-        ("1 2 3 4\n", (), "lack time, x, y, z"),
+        ("1 2 3 4\n", (), "does not name its columns"),
         ("1 2 3 4\n", ("time", "x", "x", "y", "z"), "two columns are named x; name each once"),
         ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: 3 columns where 4 were named"),
         ("1 2 3 4\n1 2 x 4\n", ("time", "x", "y", "z"), "row 2"),
-        ("1 2 nan 4\n", ("time", "x", "y", "z"), "not a number"),
-        ("# nothing\n", ("time", "x", "y", "z"), "holds no points"),
+        ("1 2 nan 4\n", ("time", "x", "y", "z"), "not a usable number"),
+        ("# nothing\n", ("time", "x", "y", "z"), "no row of four numbers"),
     ],
 )
 def test_bad_text_is_refused(
@@ -195,7 +201,7 @@ def test_bad_text_is_refused(
 ) -> None:
     (tmp_path / "a.txt").write_text(text)
     with pytest.raises(InputError, match=said):
-        read_text_scan(tmp_path / "a.txt", columns)
+        text_chunks(tmp_path / "a.txt", columns)
 
 
 def plane_row(time: float, key: int = 0) -> list[float]:
@@ -258,7 +264,7 @@ def test_plane_file_round_trip(shared_data: Path, tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("1 2 3\n", "this has 3"),
-        ("", "holds no points"),
+        ("", "no row of four numbers"),
         ("a b c\n", "not a plane file"),
         (" ".join(["1"] * 25) + "\n", "length"),
         (" ".join(["nan"] * 25) + "\n", "not a number"),

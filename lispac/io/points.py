@@ -243,7 +243,8 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
         good = usable_numbers(xyz, time)
         bad = int((~good).sum())
         if bad > MOST_UNUSABLE * len(good):
-            hint = ", as where the byte order is another one than the file says"
+            swapped = ", as where the byte order is another one than the file says"
+            hint = swapped if len(good) > 10 else ""
             raise InputError(
                 f"{path}: point {first + int(np.argmin(good)) + 1:,} has a coordinate or time that "
                 f"is not a usable number ({such(bad, 'point')} up to here{hint}); "
