@@ -208,7 +208,7 @@ OWN = {
     "design": {"advice", "monte_carlo", "prediction", "site"},
     "geometry": {"neighbours"},
     "simulation": {"casting", "pos_error_models", "scene", "vessel"},
-    "survey": {"axes", "correction", "present", "recovery", "runs", "scan"},
+    "survey": {"axes", "correction", "present", "recovery", "recovery_check", "runs", "scan"},
     "targets": {"across_lines", "outline", "quality", "section", "shift", "smear"},
     "validation": {"absolute", "footprint", "layers", "place_widths", "plane_offset"},
 }

@@ -264,7 +264,7 @@ def test_plane_file_round_trip(shared_data: Path, tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("1 2 3\n", "this has 3"),
-        ("", "no row of four numbers"),
+        ("", "holds no points"),
         ("a b c\n", "not a plane file"),
         (" ".join(["1"] * 25) + "\n", "length"),
         (" ".join(["nan"] * 25) + "\n", "not a number"),

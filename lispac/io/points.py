@@ -38,8 +38,8 @@ SCANNER_UNITS = UNITS | {"millimetre": 1e-3}
 UNIT = Option("unit", "Unit of scanner-frame coordinates", tuple(SCANNER_UNITS), "metre")
 CRS = Option("crs", "Coordinate system of georeferenced points: EPSG code, EPSG:32619 say, or WKT")
 HEIGHT = Option(
-    "height", "What heights are counted from: ellipsoid, EPSG code of a vertical system, or the "
-    "path of a geoid grid; empty: as the coordinate system says",
+    "height", "What heights are counted from: ellipsoid, EPSG code of a vertical system, path of a "
+    "geoid grid, or metres to be added with their sign; empty: as the coordinate system says",
 )  # fmt: skip
 HEIGHT_UNIT = Option(
     "height_unit", "Unit of heights; empty: as the coordinate system says", ("", *UNITS)

@@ -157,7 +157,7 @@ def write_sbet(path: Path, trajectory: Trajectory) -> None:
     records = np.zeros((len(trajectory.time), 17), dtype="<f8")
     records[:, 0] = trajectory.time
     records[:, 1] = trajectory.latitude
-    records[:, 2] = trajectory.longitude
+    records[:, 2] = trajectory.longitude_within_half_turn
     records[:, 3] = trajectory.height
     records[:, 7] = trajectory.attitude[:, 0]
     records[:, 8] = -trajectory.attitude[:, 1]

@@ -81,7 +81,7 @@ def write_trajectory_text(path: Path, trajectory: Trajectory) -> None:
         [
             trajectory.time,
             np.degrees(trajectory.latitude),
-            np.degrees(trajectory.longitude),
+            np.degrees(trajectory.longitude_within_half_turn),
             trajectory.height,
             attitude,
         ]

@@ -8,6 +8,7 @@ the sum, so unless the user says otherwise both are in the datum of the cloud an
 between datums: that is what makes the inverse exact. PROJ's network access stays off.
 """
 
+import re
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -41,6 +42,8 @@ ELLIPSOID = "ellipsoid"
 CHANGING = ("t_epoch=", "defmodel")
 """Steps of PROJ whose outcome depends on the date."""
 GRID_ENDINGS = (".gtx", ".tif", ".tiff")
+HEIGHT_OFFSET = re.compile(r"[+-]\d+(\.\d+)?")
+"""Metres that are added to heights; the sign tells them from an EPSG code."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +78,7 @@ class CoordinateSystem:
     _to_geographic: Transformer
     _to_ellipsoid: Transformer | None
     _epoch: float | None
+    _height_offset: float = 0.0
 
     @property
     def name(self) -> str:
@@ -88,7 +92,8 @@ class CoordinateSystem:
         steps = (self._to_geographic, self._to_ellipsoid)
         said = tuple(str(step.definition) for step in steps if step is not None)
         dated = any(word in step for step in said for word in CHANGING)
-        return (*said, repr(self._height_factor), repr(self._epoch) if dated else "")
+        heights = f"{self._height_factor!r} {self._height_offset!r}"
+        return (*said, heights, repr(self._epoch) if dated else "")
 
     @property
     def is_geographic(self) -> bool:
@@ -148,12 +153,12 @@ class CoordinateSystem:
             latitude, longitude, height = (
                 np.where(inside, each, np.nan) for each in (latitude, longitude, height)
             )
-        return np.radians(latitude), np.radians(longitude), height
+        return np.radians(latitude), np.radians(longitude), height + self._height_offset
 
     def _block_from_geodetic(
         self, latitude: Array, longitude: Array, height: Array, *, strict: bool = True
     ) -> Geodetic:
-        given = (np.degrees(longitude), np.degrees(latitude), height)
+        given = (np.degrees(longitude), np.degrees(latitude), height - self._height_offset)
         back = TransformDirection.INVERSE
         place = given
         if self._to_ellipsoid is not None:
@@ -200,8 +205,9 @@ def coordinate_system(
     text : str
         An EPSG code (``EPSG:32619``, ``32619``, ``EPSG:6347+5703``), WKT, or a name PROJ knows.
     height : str
-        What heights are counted from: ``ellipsoid``, the EPSG code of a vertical system, or the
-        path of a geoid grid (.gtx, .tif). Empty: as the system says, else the ellipsoid.
+        What heights are counted from: ``ellipsoid``, the EPSG code of a vertical system, the path
+        of a geoid grid (.gtx, .tif), or metres with a sign (``+31.2``, ``-28.4``) that are added
+        to get heights above the ellipsoid. Empty: as the system says, else the ellipsoid.
     height_unit : str
         One of `UNITS`; empty: as the system says, else that of the horizontal coordinates.
     trajectory_datum : str
@@ -234,7 +240,11 @@ def _settled(
         )
     assumptions = [f"coordinate system {crs.name}"]
     grid: Path | None = None
-    if height.lower().endswith(GRID_ENDINGS):
+    offset = 0.0
+    if HEIGHT_OFFSET.fullmatch(height.strip()):
+        offset, vertical = float(height), None
+        assumptions.append(f"{offset:+.3f} m are added to heights")
+    elif height.lower().endswith(GRID_ENDINGS):
         grid, vertical = Path(height), None
     elif height == ELLIPSOID:
         vertical = None
@@ -275,6 +285,7 @@ def _settled(
         _to_geographic=to_geographic,
         _to_ellipsoid=None if grid is None else geoid_grid(grid),
         _epoch=epoch,
+        _height_offset=offset,
     )
 
 

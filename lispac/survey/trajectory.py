@@ -26,7 +26,10 @@ class Trajectory:
     Attributes
     ----------
     time : ndarray of shape (n,), seconds, strictly increasing
-    latitude, longitude : ndarray of shape (n,), radians
+    latitude : ndarray of shape (n,), radians
+    longitude : ndarray of shape (n,), radians
+        Without jumps by 2 pi, and so that their mean lies between -pi and pi: a trajectory across
+        the antimeridian goes beyond.
     height : ndarray of shape (n,), metres above the ellipsoid
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
@@ -41,11 +44,33 @@ class Trajectory:
     attitude: Array
     assumptions: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "longitude", continuous(self.longitude))
+
+    @property
+    def longitude_within_half_turn(self) -> Array:
+        """Longitudes from -pi to pi, shape (n,), radians, as files state them."""
+        turns = np.round(self.longitude / (2 * np.pi))
+        return np.asarray(self.longitude - 2 * np.pi * turns)
+
     def mean_frame(self) -> LocalFrame:
         """Local frame at the mean of the trajectory (thesis equation 1.5)."""
         return LocalFrame(
             float(self.latitude.mean()), float(self.longitude.mean()), float(self.height.mean())
         )
+
+
+def continuous(longitude: Array) -> Array:
+    """Longitudes without jumps by 2 pi, with their mean between -pi and pi, shape (n,), radians.
+
+    Parameters
+    ----------
+    longitude : ndarray of shape (n,), radians
+        From -pi to pi or from 0 to 2 pi, one after the other along a path.
+    """
+    unwrapped = np.unwrap(longitude)
+    turns = np.round(np.mean(unwrapped) / (2 * np.pi)) if len(unwrapped) else 0.0
+    return np.asarray(unwrapped - 2 * np.pi * turns if turns else unwrapped)
 
 
 @dataclass(frozen=True, eq=False)

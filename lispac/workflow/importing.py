@@ -283,7 +283,7 @@ class _Source:
 
     def findings(self) -> tuple[tuple[str, ...], dict[str, Any]]:
         """What was taken for granted, in words, and the audit as plain values."""
-        return self._points.assumptions, encoded(self._points.audit)
+        return self._points.assumptions, encoded(self._points.found)
 
     def pieces(self, first: int) -> Iterator[Piece]:
         """Give the usable points from index ``first`` of the file on.

@@ -5,7 +5,7 @@ has the same points either way.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.points import system_of
 from lispac.io.registry import Choice, PointChunk
+from lispac.messages import Message
 from lispac.project import LineSource
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.line_audit import LineAudit
 from lispac.survey.recovery import Recovery, require_scanner_frame
+from lispac.survey.recovery_check import Sample, recovery_messages
 from lispac.survey.scan import Scan
 from lispac.survey.screening import PointScreen, PointSelection
 from lispac.survey.store.pieces import Piece
@@ -31,8 +33,25 @@ Array = NDArray[np.float64]
 
 TIMES_KEPT = 100
 """Times of each chunk that are kept to say what they look like."""
+SAMPLE_OF_CHUNK, MOST_SAMPLES = 4000, 50
+"""Points of a chunk, and chunks, that are kept to check how a georeferenced line is recovered."""
 FEW_COPIES = 0.01
 """Estimated share of copies far apart from which the line is read again to exclude them."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """What was found in the points of a line.
+
+    Attributes
+    ----------
+    audit : LineAudit
+    recovery : tuple of Message
+        How a georeferenced line is recovered.
+    """
+
+    audit: LineAudit
+    recovery: tuple[Message, ...] = ()
 
 
 class FarCopies(Exception):
@@ -83,6 +102,7 @@ class LinePoints:
         self._screen = self._new_screen()
         self._covered: list[Coverage] = []
         self._times: list[Array] = []
+        self._samples: list[Sample] = []
         self._without_pose = 0
 
     def pieces(self) -> Iterator[Piece]:
@@ -95,7 +115,8 @@ class LinePoints:
         FarCopies
             At the end, where copies far apart were found and are not excluded.
         """
-        self._screen, self._covered, self._times, self._without_pose = self._new_screen(), [], [], 0
+        self._screen = self._new_screen()
+        self._covered, self._times, self._samples, self._without_pose = [], [], [], 0
         read = used = 0
         for chunk in read_chunks(self._format.read(self.line.path, self._choice)):
             index = np.arange(read, read + len(chunk.time))
@@ -112,6 +133,22 @@ class LinePoints:
     def audit(self) -> LineAudit:
         """The audit of the points read so far."""
         return self._screen.result()
+
+    @property
+    def found(self) -> "Found":
+        """What was found in the points, once they are read."""
+        return Found(self.audit, self.recovery_messages)
+
+    @property
+    def recovery_messages(self) -> tuple[Message, ...]:
+        """Messages about how a georeferenced line is recovered; none for other lines."""
+        if self.recovery is None or not self._samples:
+            return ()
+        whole = Sample(
+            np.concatenate([each.points_map for each in self._samples]),
+            np.concatenate([each.time for each in self._samples]),
+        )
+        return recovery_messages(self.line.name, whole, self.recovery)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -139,6 +176,7 @@ class LinePoints:
         used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._with_pose(time)
         points = chunk.xyz if used.all() else chunk.xyz[used]
         if self.recovery is not None:
+            self._keep_sample(points, time[used])
             points = self.recovery.points_lidar(points, time[used])
             near = self._screen.screen_recovered(points)
             if not near.all():
@@ -150,6 +188,12 @@ class LinePoints:
             extra = {name: values[used] for name, values in extra.items()}
             time, index = time[used], index[used]
         return Piece(points, time, index, extra, read, chunk.total)
+
+    def _keep_sample(self, points_map: Array, time: Array) -> None:
+        """Keep some points of a georeferenced line, to check how they are recovered."""
+        step = 1 + len(time) // SAMPLE_OF_CHUNK
+        if len(self._samples) < MOST_SAMPLES:
+            self._samples.append(Sample(points_map[::step].copy(), time[::step].copy()))
 
     def _with_pose(self, time: Array) -> NDArray[np.bool_]:
         """Which times (n,), in the trajectory's time base, have a pose; the others are counted."""
@@ -194,8 +238,8 @@ def read_chunks(chunks: Any) -> Iterator[PointChunk]:
 
 def read_line(
     line: LineSource, trajectory: LocalTrajectory, mounting: Mounting
-) -> tuple[Scan, LineAudit]:
-    """Read one line into memory, in the LiDAR frame.
+) -> tuple[Scan, Found]:
+    """Read one line into memory, in the LiDAR frame, with what was found in its points.
 
     Parameters
     ----------
@@ -225,7 +269,7 @@ def read_line(
         intensity,
         points.assumptions,
     )
-    return scan, points.audit
+    return scan, points.found
 
 
 def screened(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:

@@ -27,7 +27,7 @@ from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
-from lispac.workflow.line_points import read_line
+from lispac.workflow.line_points import Found, read_line
 from lispac.workflow.moved import require_files
 from lispac.workflow.reading import (
     USUAL,
@@ -151,15 +151,16 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         step = part(
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
-        scan, cloud, said, audit = _opened(project, line, trajectory, step)
+        scan, cloud, said, found = _opened(project, line, trajectory, step)
         notes += said
-        if audit is None:
+        if found is None:
             messages += (_not_checked(line.name),)
         else:
-            audits[line.name] = audit
+            audits[line.name] = found.audit
             times = np.linspace(scan.first_time, scan.last_time, AUDIT_TIMES)
             times = times[trajectory.covers(times)]
-            messages += line_messages(line.name, audit, trajectory, times)
+            messages += line_messages(line.name, found.audit, trajectory, times)
+            messages += found.recovery
         scans[line.name], clouds[line.name] = scan, cloud
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
@@ -226,7 +227,7 @@ def _accuracy(
 
 def _opened(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
-) -> tuple[Line, Cloud, tuple[str, ...], LineAudit | None]:
+) -> tuple[Line, Cloud, tuple[str, ...], Found | None]:
     """A line from its store or its file, placed, its assumptions in words, and its audit."""
     mounting = project.mounting("prior")
     if _belongs_on_disk(project, line):
@@ -240,13 +241,13 @@ def _opened(
             said += (
                 f"{line.path} is not there; {line.name} is used as it was imported from it before",
             )
-        audit = decoded(stored.manifest.audit, LineAudit) if stored.manifest.audit else None
-        return stored, cloud, said, audit
+        found = decoded(stored.manifest.audit, Found) if stored.manifest.audit else None
+        return stored, cloud, said, found
     progress(0.0, f"Reading {line.path.name}")
-    scan, audit = read_line(line, trajectory, mounting)
+    scan, found = read_line(line, trajectory, mounting)
     progress(0.7, f"Georeferencing {line.name}")
     placed = CloudInMemory.of(scan, trajectory, mounting)
-    return scan, placed, scan.assumptions, audit
+    return scan, placed, scan.assumptions, found
 
 
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:

@@ -997,8 +997,8 @@
         <translation>Système de coordonnées des points géoréférencés : code EPSG, EPSG:32619 par exemple, ou WKT</translation>
     </message>
     <message>
-        <source>What heights are counted from: ellipsoid, EPSG code of a vertical system, or the path of a geoid grid; empty: as the coordinate system says</source>
-        <translation>D&apos;où comptent les hauteurs : ellipsoid, code EPSG d&apos;un système vertical, ou chemin d&apos;une grille de géoïde ; vide : comme le dit le système de coordonnées</translation>
+        <source>What heights are counted from: ellipsoid, EPSG code of a vertical system, path of a geoid grid, or metres to be added with their sign; empty: as the coordinate system says</source>
+        <translation>Origine des hauteurs : ellipsoid, code EPSG d&apos;un système vertical, chemin d&apos;une grille de géoïde, ou mètres à ajouter avec leur signe ; vide : comme le dit le système de coordonnées</translation>
     </message>
     <message>
         <source>Unit of heights; empty: as the coordinate system says</source>
@@ -5578,6 +5578,73 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Largest range of the scanner in metres; empty: 5000</source>
         <translation>Portée maximale du scanneur en mètres ; vide : 5000</translation>
+    </message>
+</context>
+<context>
+    <name>recovery of a line</name>
+    <message>
+        <source>{line:kept}: the heights are {offset:n} m above those of the trajectory, as with heights above sea level and an ellipsoidal trajectory. The recovered points do not lie in the scan plane (off by {misfit:n} mm), and the angles will be wrong. Give the height system, or {value:n} m to be added.</source>
+        <translation>{line} : les hauteurs dépassent de {offset} m celles de la trajectoire, comme des altitudes avec une trajectoire ellipsoïdale. Les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm), et les angles seront faux. Indiquez le système d&apos;altitude, ou {value} m à ajouter.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with {value:n} s added to their times. The recovered points are off by {misfit:n} mm, and the angles will be wrong. Check the time base of the line.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} s ajoutées à leurs temps. Les points reconstitués s&apos;en écartent de {misfit} mm, et les angles seront faux. Vérifiez la base de temps de la ligne.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with {value:n} m added to the lever arm forward. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} m ajoutés au bras de levier vers l&apos;avant. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with {value:n} m added to the lever arm to the left. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} m ajoutés au bras de levier vers la gauche. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with {value:n} m added to the lever arm up. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} m ajoutés au bras de levier vers le haut. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with the opposite sign of roll (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec le signe opposé du roulis (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with the opposite sign of pitch (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec le signe opposé du tangage (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the points fit the scan plane only with the opposite signs of roll and pitch (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
+        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec les signes opposés du roulis et du tangage (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the recovered points do not lie in the scan plane (off by {misfit:n} mm), and the angles will be wrong. Several causes explain it: {causes:list}. Check them.</source>
+        <translation>{line} : les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm), et les angles seront faux. Plusieurs causes l&apos;expliquent : {causes}. Vérifiez-les.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the recovered points do not lie in the scan plane (off by {misfit:n} mm). No single error of heights, time, lever arm or signs explains it: the cloud may have been made with another trajectory, or adjusted. The angles may be wrong.</source>
+        <translation>{line} : les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm). Aucune erreur isolée de hauteur, de temps, de bras de levier ou de signe ne l&apos;explique : le nuage a pu être calculé avec une autre trajectoire, ou compensé. Les angles peuvent être faux.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the recovered beams lie in a plane turned by {turn:n} deg from the axes of the scanner. The cloud was probably made with another boresight than the prior one, and the angles will be wrong by that. Give the boresight that made the cloud as the prior.</source>
+        <translation>{line} : les faisceaux reconstitués sont dans un plan tourné de {turn} deg par rapport aux axes du scanneur. Le nuage a sans doute été calculé avec d&apos;autres angles de visée que les angles a priori, et les angles seront faux d&apos;autant. Indiquez comme a priori ceux qui ont servi au nuage.</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <translation>hauteurs</translation>
+    </message>
+    <message>
+        <source>sign of roll</source>
+        <translation>signe du roulis</translation>
+    </message>
+    <message>
+        <source>sign of pitch</source>
+        <translation>signe du tangage</translation>
+    </message>
+    <message>
+        <source>signs of roll and pitch</source>
+        <translation>signes du roulis et du tangage</translation>
+    </message>
+    <message>
+        <source>{offset:n} m are added to heights</source>
+        <translation>{offset} m sont ajoutés aux hauteurs</translation>
     </message>
 </context>
 </TS>
