@@ -118,8 +118,8 @@ TEXTS: Mapping[str, str] = {
     ),
     "recovery.boresight_used": (
         "{line}: the recovered beams lie in a plane turned by {turn:deg.1} deg from the axes of "
-        "the scanner. The cloud was probably made with another boresight than the prior one, and "
-        "the angles will be wrong by that. Give the boresight that made the cloud as the prior."
+        "the scanner. If the scanner measures along its axes, the cloud was made with another "
+        "boresight than the prior one. Give that boresight as the prior."
     ),
     "audit.shared_points": (
         "{line} and {other} have points in common ({share:percent.1} % of the smaller line). "

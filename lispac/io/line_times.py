@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.las_chunks import opened, point_count
-from lispac.io.points import FRAME, SCANNER, plainly, scale_of, usable_points
+from lispac.io.points import FRAME, SCANNER, plainly, require_times, scale_of, usable_points
 from lispac.io.registry import Choice, Format, PointChunk
 from lispac.progress import Progress, no_progress
 from lispac.survey.recovery import require_scanner_frame
@@ -124,6 +124,8 @@ def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Pro
             break
     if not done:
         raise InputError(f"{path}: this line holds no points; leave it out.")
+    if ended:
+        require_times(start, end, done, path)
     sample = np.concatenate(parts)
     sample = sample[:: max(1, len(sample) // KEPT)]
     return LineTimes(sample, start, end, read if ended else total, ended, ended, place)

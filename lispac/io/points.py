@@ -63,7 +63,7 @@ ONLY = Option(
     "only", "Use only points with these attributes, scanner_channel=0 or time=1200:1260 for "
     "example; empty: all",
 )  # fmt: skip
-MAX_RANGE = Option("max_range", "Largest range of the scanner in metres; empty: 5000")
+MAX_RANGE = Option("max_range", "Largest range of the scanner in metres; empty: 10000")
 PLACE = (
     FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART, WITHHELD,
     EXCLUDE_CLASSES, ONLY, MAX_RANGE,
@@ -258,11 +258,31 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
             f"steps of {step:.3g} s: too coarse to put points on the trajectory; "
             "export with 64-bit time."
         )
-    if len(time) >= 1000 and (time == time[0]).all():
+
+
+def require_times(start: float, end: float, count: int, path: Path) -> None:
+    """Refuse a line of which many points share one time.
+
+    Parameters
+    ----------
+    start, end : float, seconds
+        Of all points.
+    count : int
+        Points of the line.
+
+    Raises
+    ------
+    InputError
+    """
+    if count >= FEW_TIMES and start == end:
         raise InputError(
-            f"{path}: {len(time):,} points share the time {float(time[0]):.6f}; "
+            f"{path}: {count:,} points share the time {start:.6f}; "
             "the file was written without times: export it with them."
         )
+
+
+FEW_TIMES = 1000
+"""Points that share one time only where a file has no times."""
 
 
 def usable_numbers(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:

@@ -15,6 +15,8 @@ Array = NDArray[np.float64]
 
 FAR = 1000.0
 """Metres beyond which a vessel's scanner hardly sees."""
+MANY, TYPICAL = 100, 0.99
+"""Points from which on the farthest are not looked at, and the share that is."""
 
 
 @dataclass(frozen=True)
@@ -50,12 +52,17 @@ def sight(
     doubts: list[str] = []
     low = xyz.min(axis=0) if low is None else low
     high = xyz.max(axis=0) if high is None else high
-    farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
-    size = float(np.linalg.norm(high - low))
-    away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
     facts = {
         f"{axis} from, to": f"{low[i]:,.3f}, {high[i]:,.3f}" for i, axis in enumerate("xyz")
     } | {"time from, to": f"{time.min():.6f}, {time.max():.6f} s (first {len(time):,} points)"}
+    if len(xyz) >= MANY:  # single absurd points do not tell the frame
+        distance = np.linalg.norm(xyz, axis=1)
+        usual = xyz[(distance <= np.quantile(distance, TYPICAL)) & (distance > 0)]
+        if len(usual) and np.linalg.norm(usual, axis=1).max() < FAR:
+            low, high = usual.min(axis=0), usual.max(axis=0)
+    farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
+    size = float(np.linalg.norm(high - low))
+    away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
     on_map = bool(crs) or farthest > 10 * FAR
     if on_map and not crs:
         doubts.append(

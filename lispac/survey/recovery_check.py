@@ -113,7 +113,7 @@ def recovery_messages(name: str, sample: Sample, recovery: Recovery) -> tuple[Me
             return ()
         return (
             Message(
-                "recovery.boresight_used", Level.WARNING, {"line": name, "turn": turn},
+                "recovery.boresight_used", Level.NOTE, {"line": name, "turn": turn},
                 Cause.of_line(name),
             ),
         )  # fmt: skip

@@ -23,8 +23,8 @@ LARGEST, LARGEST_TIME = 1e9, 1e11
 """No coordinate on earth in any unit, and no time in seconds, is larger."""
 NEAREST = 0.001
 """Metres: a return nearer to the optical centre is a shot without an echo."""
-MOST_RANGE = 5000.0
-"""Metres: no scanner of a vessel measures farther."""
+MOST_RANGE = 10_000.0
+"""Metres: no scanner measures farther."""
 NOISE_CLASSES = (7, 18)
 """Low and high noise (ASPRS LAS 1.4 R15, table 17)."""
 GROUPS = (

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.points import system_of
+from lispac.io.points import require_times, system_of
 from lispac.io.registry import Choice, PointChunk
 from lispac.messages import Message
 from lispac.project import LineSource
@@ -126,6 +126,8 @@ class LinePoints:
             yield piece
         if not used:
             raise InputError(f"{self.line.path}: {self._why_empty(read)}")
+        times = np.concatenate(self._times)
+        require_times(float(np.nanmin(times)), float(np.nanmax(times)), read, self.line.path)
         if not self._far_copies and self._screen.result().repeated > FEW_COPIES:
             raise FarCopies
 

@@ -5576,8 +5576,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>N&apos;utiliser que les points ayant ces attributs, par exemple scanner_channel=0 ou time=1200:1260 ; vide : tous</translation>
     </message>
     <message>
-        <source>Largest range of the scanner in metres; empty: 5000</source>
-        <translation>Portée maximale du scanneur en mètres ; vide : 5000</translation>
+        <source>Largest range of the scanner in metres; empty: 10000</source>
+        <translation>Portée maximale du scanneur en mètres ; vide : 10000</translation>
     </message>
 </context>
 <context>
@@ -5623,8 +5623,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{line} : les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm). Aucune erreur isolée de hauteur, de temps, de bras de levier ou de signe ne l&apos;explique : le nuage a pu être calculé avec une autre trajectoire, ou compensé. Les angles peuvent être faux.</translation>
     </message>
     <message>
-        <source>{line:kept}: the recovered beams lie in a plane turned by {turn:n} deg from the axes of the scanner. The cloud was probably made with another boresight than the prior one, and the angles will be wrong by that. Give the boresight that made the cloud as the prior.</source>
-        <translation>{line} : les faisceaux reconstitués sont dans un plan tourné de {turn} deg par rapport aux axes du scanneur. Le nuage a sans doute été calculé avec d&apos;autres angles de visée que les angles a priori, et les angles seront faux d&apos;autant. Indiquez comme a priori ceux qui ont servi au nuage.</translation>
+        <source>{line:kept}: the recovered beams lie in a plane turned by {turn:n} deg from the axes of the scanner. If the scanner measures along its axes, the cloud was made with another boresight than the prior one. Give that boresight as the prior.</source>
+        <translation>{line} : les faisceaux reconstitués sont dans un plan tourné de {turn} deg par rapport aux axes du scanneur. Si le scanneur mesure selon ses axes, le nuage a été calculé avec d&apos;autres angles de visée que les angles a priori. Indiquez-les comme a priori.</translation>
     </message>
     <message>
         <source>heights</source>

@@ -1,0 +1,352 @@
+"""Every line is screened and audited, whichever format it has and whichever way it is read."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.messages import Level, Message
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.line_audit import LineAudit, shared_fraction
+from lispac.survey.screening import PointScreen, PointSelection
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.importing import import_lines
+from lispac.workflow.projects import new_project, open_project
+from lispac.workflow.survey import Survey, load_survey
+from tests.intake_files import LEVER, START, fan, write_line, write_survey
+
+COUNT = 3000
+TIMES = START + np.linspace(2, 12, COUNT)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "files").mkdir()
+    return write_survey(tmp_path / "files")
+
+
+def las(path: Path, times: np.ndarray, points: np.ndarray, **attributes: np.ndarray) -> Path:
+    write_line(path, times, points)
+    if attributes:
+        data = laspy.read(path)
+        for name, values in attributes.items():
+            data[name] = values
+        data.write(path)
+    return path
+
+
+def text(path: Path, times: np.ndarray, points: np.ndarray, **attributes: np.ndarray) -> Path:
+    names = " ".join(("time", "x", "y", "z", *attributes))
+    table = np.column_stack([times, points, *attributes.values()])
+    np.savetxt(path, table, fmt="%.9f", header=names, comments="")
+    return path
+
+
+def ply(path: Path, times: np.ndarray, points: np.ndarray, **attributes: np.ndarray) -> Path:
+    names = ("x", "y", "z", "time", *attributes)
+    properties = "".join(f"property double {name}\n" for name in names)
+    head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(times)}\n{properties}"
+    table = np.column_stack([points, times, *attributes.values()]).astype("<f8")
+    path.write_bytes(f"{head}end_header\n".encode() + table.tobytes())
+    return path
+
+
+Writer = Callable[..., Path]
+WRITERS = {"L1.laz": las, "L1.csv": text, "L1.ply": ply}
+every_format = pytest.mark.parametrize("name", WRITERS)
+
+
+def opened(folder: Path, *paths: Path, options: tuple[tuple[str, str], ...] = ()) -> Survey:
+    sources = [LineSource(path.stem, path, (), Reading("", options)) for path in paths]
+    place = folder.parent / "project"
+    _, survey = new_project(
+        place, trajectory=folder / "pos.sbet", accuracy=folder / "smrmsg.out", lines=sources,
+        settings=Settings(LEVER),
+    )  # fmt: skip
+    assert open_project(place).data_messages == survey.messages
+    return survey
+
+
+def by_code(survey: Survey) -> dict[str, Message]:
+    return {message.code: message for message in survey.messages}
+
+
+# -- a sound line ---------------------------------------------------------------------------------
+
+
+@every_format
+def test_a_sound_line_has_no_message(folder: Path, name: str) -> None:
+    survey = opened(folder, WRITERS[name](folder / name, TIMES, fan(COUNT)))
+    assert survey.messages == ()
+    assert len(survey.scans["L1"]) == COUNT
+
+
+# -- steps of the times ---------------------------------------------------------------------------
+
+
+@every_format
+@pytest.mark.parametrize("step", [0.002, 0.01, 0.1, 1.0])
+def test_rounded_times_are_reported_with_their_effect(folder: Path, name: str, step: float) -> None:
+    dense = START + np.arange(2, 12, 5e-5)
+    times = np.round(dense / step) * step
+    points = fan(len(times)) + np.linspace(0, 1, len(times))[:, None]
+    survey = opened(folder, WRITERS[name](folder / name, times, points))
+    message = by_code(survey)["audit.time_resolution"]
+    assert message.level is Level.WARNING
+    assert message.params["step"] == pytest.approx(step, rel=1e-3)
+    assert message.params["points"] == pytest.approx(len(times) / len(np.unique(times)), rel=0.02)
+    rates = survey.trajectory.rate_at(np.linspace(times[0], times[-1], 500))
+    least = step / 2 * np.median(np.linalg.norm(rates[:, :3], axis=1))
+    assert message.params["shift"] >= least
+
+
+@pytest.mark.parametrize("step", [0.01, 1.0])
+def test_times_of_few_points_seen_once_a_turn_have_the_step_of_their_grid(
+    folder: Path, step: float
+) -> None:
+    """A board is crossed for 2 ms of each turn of 53 ms."""
+    turns = START + 2 + 0.053 * np.arange(180)
+    times = (turns[:, None] + np.linspace(0, 0.002, 20)).ravel()
+    rounded = np.round(times / step) * step
+    survey = opened(folder, las(folder / "L1.laz", rounded, fan(len(times))))
+    assert by_code(survey)["audit.time_resolution"].params["step"] == pytest.approx(step)
+
+
+def test_multiple_returns_and_lasers_that_fire_at_once_are_no_coarse_times(folder: Path) -> None:
+    shots = np.repeat(START + np.arange(2, 12, 0.002), 2)
+    returns = np.tile([1, 2], len(shots) // 2)
+    path = las(
+        folder / "L1.laz", shots, fan(len(shots)) * np.where(returns == 1, 1.0, 1.1)[:, None],
+        return_number=returns, number_of_returns=np.full(len(shots), 2),
+    )  # fmt: skip
+    lasers = np.repeat(START + np.arange(2, 12, 5e-5 * 32), 32)[:60_000]
+    spin = fan(len(lasers)) + 0.01 * (np.arange(len(lasers)) % 32)[:, None]
+    fast = las(folder / "L2.laz", START + 2 + (lasers - START - 2) / 32, spin)
+    assert opened(folder, path, fast).messages == ()
+
+
+# -- copies ---------------------------------------------------------------------------------------
+
+
+@every_format
+@pytest.mark.parametrize("how", ["each twice", "appended", "packet again"])
+def test_copies_are_excluded_and_counted(folder: Path, name: str, how: str) -> None:
+    order = {
+        "each twice": np.repeat(np.arange(COUNT), 2),
+        "appended": np.tile(np.arange(COUNT), 2),
+        "packet again": np.concatenate([np.arange(2000), np.arange(1500, COUNT)]),
+    }[how]
+    points = fan(COUNT)
+    survey = opened(folder, WRITERS[name](folder / name, TIMES[order], points[order]))
+    assert by_code(survey)["audit.duplicates"].params["count"] == len(order) - COUNT
+    points_lidar, times = survey.scans["L1"].take(np.arange(COUNT))
+    np.testing.assert_allclose(times, TIMES, atol=1e-6)
+    np.testing.assert_allclose(points_lidar, points, atol=1e-4)
+
+
+def test_copies_far_apart_are_excluded_from_a_line_of_any_length(folder: Path) -> None:
+    """More points between a point and its copy than the table of recent points holds."""
+    count = 200_000
+    times = START + np.linspace(2, 12, count)
+    points = fan(count) + np.arange(count)[:, None] * 1e-4
+    path = las(folder / "L1.las", np.tile(times, 2), np.tile(points, (2, 1)))
+    survey = opened(folder, path)
+    assert by_code(survey)["audit.duplicates"].params["count"] == count
+    assert len(survey.scans["L1"]) == count
+    stored = stored_survey(folder)
+    assert len(stored.scans["L1"]) == count
+    assert stored.scans["L1"].fingerprint == survey.scans["L1"].fingerprint
+
+
+def stored_survey(folder: Path) -> Survey:
+    """The survey of the project with its lines imported into the store."""
+    project = open_project(folder.parent / "project")
+    import_lines(project)
+    return load_survey(project)
+
+
+def test_lines_with_points_in_common_are_named(folder: Path) -> None:
+    points = fan(COUNT)
+    one = las(folder / "one.laz", TIMES, points)
+    copy = text(folder / "copy.csv", TIMES[: COUNT // 2], points[: COUNT // 2])
+    same = las(folder / "same.laz", TIMES, points)
+    half = las(folder / "half.laz", TIMES[: COUNT // 3], points[: COUNT // 3])
+    survey = opened(folder, one, same, half)
+    found = [each.params for each in survey.messages if each.code == "audit.shared_points"]
+    pairs = {frozenset((str(each["line"]), str(each["other"]))) for each in found}
+    assert pairs == {
+        frozenset(pair) for pair in (("one", "same"), ("one", "half"), ("same", "half"))
+    }
+    assert all(each["share"] == pytest.approx(1.0) for each in found)
+    assert {str(p["smaller"]) for p in found if "half" in (p["line"], p["other"])} == {"half"}
+    assert copy.exists()
+
+
+def test_the_share_of_common_points_is_estimated_well() -> None:
+    rng = np.random.default_rng(3)
+    points = rng.normal(size=(300_000, 3))
+    times = np.sort(rng.uniform(0, 100, len(points)))
+    audits = []
+    for rows in (slice(0, 200_000), slice(150_000, 300_000), slice(200_000, 300_000)):
+        screen = PointScreen(PointSelection(), ranged=True)
+        screen(times[rows], points[rows], {})
+        audits.append(screen.result())
+    assert shared_fraction(audits[0], audits[1]) == pytest.approx(1 / 3, abs=0.03)
+    assert shared_fraction(audits[0], audits[2]) == 0.0
+    assert shared_fraction(audits[1], audits[2]) == pytest.approx(1.0, abs=0.01)
+    assert shared_fraction(audits[0], LineAudit(0)) == 0.0
+
+
+# -- points that cannot be used -------------------------------------------------------------------
+
+
+@every_format
+def test_points_without_range_not_numbers_and_absurd_ones_are_excluded(
+    folder: Path, name: str
+) -> None:
+    points = fan(COUNT)
+    points[::7] = 0.0
+    points[3] = [0.0, 2e5, 0.0]  # does not make a map of it
+    expected = {"no_range": len(points[::7]), "too_far": 1}
+    if name != "L1.laz":  # LAS has no such coordinates
+        points[5, 1], points[6, 2] = np.nan, np.inf
+        expected["not_finite"] = 2
+    survey = opened(folder, WRITERS[name](folder / name, TIMES, points))
+    found = by_code(survey)
+    assert {code.removeprefix("audit.") for code in found} == set(expected)
+    for code, count in expected.items():
+        assert found[f"audit.{code}"].params["count"] == count
+        assert found[f"audit.{code}"].level is Level.NOTE
+    assert len(survey.scans["L1"]) == COUNT - sum(expected.values())
+
+
+def test_one_absurd_point_on_the_map_spoils_no_line(folder: Path) -> None:
+    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(COUNT)))
+    project = open_project(folder.parent / "project")
+    (written,) = georeference_project(project, folder / "out", "prior", system="EPSG:32618")
+    cloud = laspy.read(written.path)
+    cloud.x[7], cloud.y[8], cloud.z[9] = cloud.x[7] - 9e4, cloud.y[8] + 9e4, 12_000.0
+    cloud.write(written.path)
+    options = (("frame", "georeferenced"), ("crs", "EPSG:32618"))
+    line = LineSource("map", written.path, (), Reading("las", options))
+    again = replace(project, folder=folder.parent / "again", lines=(line,))
+    again.folder.mkdir()
+    read = load_survey(again)
+    assert by_code(read)["audit.too_far"].params["count"] == 3
+    assert len(read.scans["map"]) == COUNT - 3
+    points, _ = read.scans["map"].take(np.arange(COUNT - 3))
+    raw, _ = survey.scans["L1"].take(np.setdiff1d(np.arange(COUNT), [7, 8, 9]))
+    np.testing.assert_allclose(points, raw, atol=3e-4)
+    (back,) = georeference_project(again, folder / "back", "prior", system="EPSG:32618")
+    assert (back.points, back.excluded) == (COUNT - 3, 3)
+
+
+def test_a_range_offset_does_no_harm_to_points_without_range(folder: Path) -> None:
+    points = fan(COUNT)
+    points[::10] = 0.0
+    opened(folder, las(folder / "L1.laz", TIMES, points))
+    project = open_project(folder.parent / "project")
+    project = project.with_settings(replace(project.settings, range_offset=0.03))
+    (written,) = georeference_project(project, folder / "out", "prior", system="EPSG:32618")
+    assert written.points == COUNT - len(points[::10])
+    assert np.isfinite(laspy.read(written.path).xyz).all()
+
+
+# -- flags, classes, selection --------------------------------------------------------------------
+
+
+def test_withheld_points_are_excluded_unless_they_are_kept(folder: Path) -> None:
+    withheld = (np.arange(COUNT) % 5 == 0).astype(np.uint8)
+    path = las(folder / "L1.laz", TIMES, fan(COUNT), withheld=withheld)
+    survey = opened(folder, path)
+    assert by_code(survey)["audit.withheld"].params["count"] == withheld.sum()
+    assert len(survey.scans["L1"]) == COUNT - withheld.sum()
+    kept = load_survey(with_options(folder, ("withheld", "keep")))
+    assert kept.messages == ()
+    assert len(kept.scans["L1"]) == COUNT
+
+
+def with_options(folder: Path, *options: tuple[str, str]) -> Project:
+    """The project with options for its first line."""
+    project = open_project(folder.parent / "project")
+    first = project.lines[0]
+    format = first.reading.format or "las"
+    reading = Reading(format, (*first.reading.options, *options))
+    return replace(project, lines=(replace(first, reading=reading), *project.lines[1:]))
+
+
+def test_noise_classes_are_a_warning_and_can_be_excluded(folder: Path) -> None:
+    classes = np.where(np.arange(COUNT) % 100 == 0, 7, 2).astype(np.uint8)
+    classes[:10] = 18
+    survey = opened(folder, las(folder / "L1.laz", TIMES, fan(COUNT), classification=classes))
+    message = by_code(survey)["audit.noise_classes"]
+    noise = np.isin(classes, (7, 18))
+    assert message.level is Level.WARNING
+    assert message.params["count"] == noise.sum()
+    (action,) = message.actions
+    option = (action.params["name"], action.params["value"])
+    excluded = load_survey(with_options(folder, option))
+    assert by_code(excluded)["audit.of_classes"].params["count"] == noise.sum()
+    assert len(excluded.scans["L1"]) == COUNT - noise.sum()
+
+
+@every_format
+def test_a_selection_by_attribute_or_time_is_used(folder: Path, name: str) -> None:
+    ring = (np.arange(COUNT) % 4).astype(np.uint8)
+    key = "user_data" if name == "L1.laz" else "ring"
+    path = WRITERS[name](folder / name, TIMES, fan(COUNT), **{key: ring})
+    middle = START + 7
+    only = f"{key}=1:2 time={middle!r}:1e9"
+    survey = opened(folder, path, options=(("only", only),))
+    chosen = np.isin(ring, (1, 2)) & (middle <= TIMES)
+    assert len(survey.scans["L1"]) == chosen.sum()
+    assert by_code(survey)["audit.not_selected"].params["count"] == COUNT - chosen.sum()
+
+
+# -- several scanners or passes -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "attribute", "code"),
+    [
+        ("L1.laz", "scanner_channel", "several_scanners"),
+        ("L1.laz", "user_data", "several_sources"),
+        ("L1.laz", "point_source_id", "several_sources"),
+        ("L1.csv", "scanner", "several_scanners"),
+        ("L1.ply", "head_id", "several_scanners"),
+    ],
+)
+def test_several_scanners_in_one_file_are_named(
+    folder: Path, name: str, attribute: str, code: str
+) -> None:
+    values = (np.arange(COUNT) % 2).astype(np.uint8)
+    survey = opened(folder, WRITERS[name](folder / name, TIMES, fan(COUNT), **{attribute: values}))
+    message = by_code(survey)[f"audit.{code}"]
+    assert message.params["attribute"] == attribute
+    assert message.params["values"] == ("0", "1")
+    assert message.level is Level.WARNING
+
+
+def test_rings_of_one_scanner_are_not_several_scanners(folder: Path) -> None:
+    rings = (np.arange(COUNT) % 32).astype(np.uint8)
+    assert opened(folder, las(folder / "L1.laz", TIMES, fan(COUNT), user_data=rings)).messages == ()
+
+
+def test_imported_lines_have_the_same_messages(folder: Path) -> None:
+    points = fan(COUNT)
+    points[::7] = 0.0
+    channel = (np.arange(COUNT) % 2).astype(np.uint8)
+    path = las(
+        folder / "L1.laz", np.round(TIMES, 1), points, scanner_channel=channel, user_data=channel
+    )
+    survey = opened(folder, path)
+    stored = stored_survey(folder)
+    assert stored.messages == survey.messages
+    assert {m.code for m in stored.messages} == {
+        "audit.time_resolution", "audit.no_range", "audit.several_scanners",
+        "audit.several_sources",
+    }  # fmt: skip
+    assert stored.scans["L1"].fingerprint == survey.scans["L1"].fingerprint
