@@ -30,6 +30,12 @@ NOT_SAID: dict[str, set[str]] = {
     },
     "names of columns, and words of the headers of other programs, as they are looked for": {
         "time latitude longitude height roll pitch heading",
+        "slant range",
+        "horizontal angle",
+        "vertical angle",
+        "us ft",
+        "latitudehemisphere ns northsouth lathemisphere lathemi latdir latns",
+        "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew",
         "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec",
         "date day",
         "latitude lat",

@@ -26,6 +26,7 @@ from lispac.io.text_table import (
 from lispac.io.trajectory_columns import (
     GRID,
     HEIGHTS,
+    HEMISPHERES,
     ROLES,
     SIGMAS,
     Column,
@@ -54,7 +55,7 @@ DEFAULTS = {
     "crs": "",
     "time": "gps-week",
 }
-_ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms"}
+_ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms", "degrees-minutes": "ddmm"}
 _LENGTHS = {
     "": UNSTATED,
     "metres": "m",
@@ -63,6 +64,9 @@ _LENGTHS = {
     "us-survey-feet": "us-ft",
 }
 LENGTH_CHOICES = tuple(_LENGTHS)
+_TIME_UNIT = re.compile(r"[\[(]\s*(ms|us|ns)\s*[\])]|_(ms|us|ns)$", re.IGNORECASE)
+_WEST = re.compile(r"[\[(][^\])]*\b(w|west)\b[^\])]*[\])]|_w$|west", re.IGNORECASE)
+"""In the name of longitudes that are positive to the west."""
 _COMMENT = ("#", "%", "//", ";")
 
 
@@ -94,6 +98,7 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
     tokens = [token for token in re.split(r"[\s,;]+", chosen["columns"].strip()) if token]
     separator, header = chosen["separator"], chosen["header"]
     _, sample = next(ascii_rows(path, separator, header), (0, []))
+    titles = _header_names(first_lines(path, 60))
     columns: list[Column] = []
     for index, token in enumerate(tokens):
         if token in ("-", "_", "skip"):
@@ -107,12 +112,12 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
         if any(column.role == role for column in columns):
             raise InputError(f"{path}: two columns are named {token}; name each once.")
         field = sample[index] if index < len(sample) else ""
-        columns.append(Column(role, index, token, _unit(role, field, chosen)))
+        title = titles[index] if len(titles) == len(tokens) else ""
+        columns.append(Column(role, index, token, _unit(role, field, chosen, title)))
 
     def rows(path: Path) -> Rows:
         return ascii_rows(path, separator, header)
 
-    titles = _header_names(first_lines(path, 60))
     velocities = velocity_columns([_bare(name) for name in titles], [unit_of(n) for n in titles])
     return TextLayout(
         tuple(columns), tuple(tokens), separator, rows, {"Header": "generic text"}, (), velocities
@@ -177,8 +182,8 @@ def _split(line: str, separator: str) -> list[str]:
 
 
 def _bare(name: str) -> str:
-    """A name without its unit in brackets or parentheses."""
-    return re.sub(r"[\[(].*", "", name)
+    """A name without its unit in brackets or parentheses, or after an underscore."""
+    return re.sub(r"[\[(].*|_(s|ms|us|ns|deg|rad|m|ft|w)$", "", name, flags=re.IGNORECASE)
 
 
 def _header_names(lines: list[str]) -> list[str]:
@@ -194,9 +199,15 @@ def _header_names(lines: list[str]) -> list[str]:
     return names
 
 
-def _unit(role: str, field: str, chosen: dict[str, str]) -> str:
+def _unit(role: str, field: str, chosen: dict[str, str], title: str) -> str:
+    """Unit of a column by its role, first value, the options, and its name in the file."""
     if role == "time":
-        return "clock" if is_clock(field) else "s"
+        mark = _TIME_UNIT.search(title)
+        return "clock" if is_clock(field) else (mark[1] or mark[2]).lower() if mark else "s"
+    if role in HEMISPHERES:
+        return "hemisphere"
+    if role == "longitude" and _WEST.search(title):
+        return f"{_ANGLES[chosen['position']]}-west"
     if role == "date":
         return "date"
     if role in ("latitude", "longitude"):
@@ -240,6 +251,9 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
     tokens = (choice.get("columns") or found.get("columns") or DEFAULT_COLUMNS).split()
     separator = choice.get("separator", "auto")
     data = [fields for line in lines if is_data(fields := _split(line, separator))]
+    if names and "columns" not in choice:
+        tokens = _hemispheres(tokens, data)
+        found["columns"] = " ".join(tokens)
     values = {
         role_of(token): column
         for index, token in enumerate(tokens)
@@ -261,13 +275,28 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
 
 
 def _tokens(names: list[str]) -> list[str]:
+    """Role of each column; the exact name of a role goes before its synonyms."""
+    bares = [_bare(name) for name in names]
+    exact = {bare.strip().lower() for bare in bares} & set(ROLES.values())
     taken: set[str] = set()
     tokens = []
-    for name in names:
-        role = role_of(_bare(name))
-        tokens.append(role if role and role not in taken else "-")
-        taken.add(role)
+    for bare in bares:
+        role = role_of(bare)
+        waits = role in exact and bare.strip().lower() != role
+        tokens.append(role if role and role not in taken and not waits else "-")
+        taken |= set() if waits else {role}
     return tokens
+
+
+def _hemispheres(tokens: list[str], data: list[list[str]]) -> list[str]:
+    """Columns without a meaning whose values are letters of hemispheres, by their values."""
+    found = list(tokens)
+    for index, token in enumerate(tokens):
+        letters = {row[index].strip().upper() for row in data if index < len(row)}
+        for role, own in zip(HEMISPHERES, ({"N", "S"}, {"E", "W"}), strict=True):
+            if token == "-" and role not in found and letters and letters <= own:
+                found[index] = role
+    return found
 
 
 def _values(data: list[list[str]], index: int) -> NDArray[np.float64] | None:
@@ -287,6 +316,9 @@ def _detect_units(
 ) -> None:
     if "latitude" in values and "longitude" in values:
         largest = max(np.abs(values["latitude"]).max(), np.abs(values["longitude"]).max())
+        both = np.concatenate([values["latitude"], values["longitude"]])
+        if largest > 360 and (np.abs(both) % 100 < 60).all():
+            found.setdefault("position", "degrees-minutes")
         _settle("position", largest, found, choice, doubts)
     elif {"latitude", "longitude"} & set(values) == set() and "easting" not in values:
         found.setdefault("position", "dms")

@@ -32,7 +32,7 @@ from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, O
 from lispac.io.sight import sight
 from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
 from lispac.io.text_table import clock, is_clock
-from lispac.io.text_units import height_unit_of, unit_doubts, units_in
+from lispac.io.text_units import header_units, height_unit_of, unit_doubts, units_in
 
 COLUMNS = Option(
     "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
@@ -166,6 +166,7 @@ def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
     }
     if set(REQUIRED) <= set(layout.names):
         found["columns"] = " ".join(layout.names)
+        found |= header_units(lines, layout)
     return found, layout, lines
 
 

@@ -18,6 +18,13 @@ MEANINGS = {
     **dict.fromkeys(("intensity", "i", "scalar_intensity", "reflectance"), "intensity"),
 }
 """What usual column names mean; lower case, without their unit."""
+BEAMS = {
+    "range", "distance", "slant_range", "slant range", "azimuth", "horizontal_angle",
+    "horizontal angle", "vertical_angle", "vertical angle", "scan_angle", "scan angle",
+}  # fmt: skip
+"""Columns of points in polar coordinates."""
+ANGLES_OF_BEAMS = {"elevation"}
+"""Names that mean an angle beside those."""
 
 
 @dataclass(frozen=True)
@@ -111,13 +118,30 @@ def names_of(line: str, separator: str, columns: int) -> list[str]:
     return fields if len(fields) == columns and not numbers else []
 
 
+def bare_name(field: str) -> str:
+    """A column name in lower case, without its unit."""
+    return re.sub(r"[\s_]*[\[(].*[\])]$|_(m|s|ms|us|ns|ft|deg)$", "", field).strip().lower()
+
+
 def _meant(fields: Sequence[str]) -> tuple[str, ...]:
-    """Names in the program's words where they are usual ones; none twice."""
+    """Names in the program's words; the exact name of a column goes before its synonyms.
+
+    Beside a range or an azimuth, an elevation is an angle of the beam and no height.
+    """
+    bares = [bare_name(field) for field in fields]
+    beams = not BEAMS.isdisjoint(bares)
+    chosen: dict[str, int] = {}
+    for k, bare in enumerate(bares):
+        if MEANINGS.get(bare) == bare:
+            chosen.setdefault(bare, k)
+    for k, bare in enumerate(bares):
+        if bare in MEANINGS and not (beams and bare in ANGLES_OF_BEAMS):
+            chosen.setdefault(MEANINGS[bare], k)
     names: list[str] = []
-    for field in fields:
-        bare = re.sub(r"[\s_]*[\[(].*[\])]$|_(m|s|ft)$", "", field).strip().lower()
-        name = MEANINGS.get(bare, re.sub(r"\s+", "_", field) or "-")
-        names.append(name if name not in names else "-")
+    for k, (bare, field) in enumerate(zip(bares, fields, strict=True)):
+        is_chosen = bare in MEANINGS and chosen.get(MEANINGS[bare]) == k
+        name = MEANINGS[bare] if is_chosen else re.sub(r"\s+", "_", field) or "-"
+        names.append(name if name not in names and (is_chosen or name not in chosen) else "-")
     return tuple(names)
 
 

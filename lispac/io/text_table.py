@@ -187,6 +187,36 @@ def degrees_minutes_seconds(field: str) -> float:
     return sign * sum(value / 60**k for k, value in enumerate(values))
 
 
+def degrees_and_minutes(field: str) -> float:
+    """Decimal degrees of ``4830.2533`` (ddmm.mmmm, as in NMEA 0183): 48 degrees, 30.2533 minutes.
+
+    Raises
+    ------
+    ValueError
+    """
+    value = number(field)
+    degrees, minutes = divmod(abs(value), 100.0)
+    if minutes >= 60:
+        raise ValueError(f"{field!r} is not degrees and minutes")
+    return math.copysign(degrees + minutes / 60, value)
+
+
+def hemisphere(field: str) -> float:
+    """Sign of a hemisphere: 1 for N and E, -1 for S and W.
+
+    Raises
+    ------
+    ValueError
+    """
+    letter = field.strip().upper()[:1]
+    if letter not in HEMISPHERES:
+        raise ValueError(f"{field!r} is not a hemisphere")
+    return HEMISPHERES[letter]
+
+
+HEMISPHERES = {"N": 1.0, "S": -1.0, "E": 1.0, "W": -1.0}
+
+
 def coordinate(field: str, *, degrees: bool = False) -> float | None:
     """One coordinate that somebody wrote: of decimal point or comma, with any minus sign.
 

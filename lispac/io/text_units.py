@@ -29,6 +29,44 @@ def units_in(lines: Sequence[str], layout: Layout) -> dict[str, str]:
     return {}
 
 
+TIME_UNITS = {"s": "second", "sec": "second", "ms": "millisecond", "msec": "millisecond",
+              "us": "microsecond", "usec": "microsecond", "µs": "microsecond", "ns": "nanosecond",
+              "nsec": "nanosecond"}  # fmt: skip
+"""Units of time in the names of columns, as the option ``time_unit`` has them."""
+LENGTH_UNITS = {"m": "metre", "mm": "millimetre", "ft": "foot", "us-ft": "us-survey-foot",
+                "us ft": "us-survey-foot", "int-ft": "foot"}  # fmt: skip
+"""Units of length in the names of columns, as the option ``unit`` has them."""
+_UNIT = re.compile(r"[\[(]\s*([^\])]+?)\s*[\])]\s*$|_(ms|us|ns|mm|ft|m|s)$", re.IGNORECASE)
+
+
+def header_units(lines: Sequence[str], layout: Layout) -> dict[str, str]:
+    """Options ``time_unit`` and ``unit`` that the names of the columns state."""
+    marks = _marks(lines, layout)
+    found: dict[str, str] = {}
+    if time := TIME_UNITS.get(marks.get("time", "").lower()):
+        found["time_unit"] = time
+    stated = {axis: marks[axis].lower() for axis in "xyz" if marks.get(axis)}
+    if len(set(stated.values())) == 1 and len(stated) == len("xyz"):
+        unit = next(iter(stated.values()))
+        if unit in LENGTH_UNITS:
+            found["unit"] = LENGTH_UNITS[unit]
+    return found
+
+
+def _marks(lines: Sequence[str], layout: Layout) -> dict[str, str]:
+    """What stands as the unit in the name of each column, by the column's meaning."""
+    for line in lines if layout.names else ():
+        fields = names_of(line, layout.separator, len(layout.names))
+        if fields and layout.meant(fields) == layout.names:
+            found = [_UNIT.search(field) for field in fields]
+            return {
+                name: mark[1] or mark[2]
+                for name, mark in zip(layout.names, found, strict=True)
+                if mark
+            }
+    return {}
+
+
 def height_unit_of(units: dict[str, str], crs: str) -> str:
     """Option for the unit of heights; empty where the names say nothing that the system does not.
 

@@ -9,7 +9,15 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import require_increasing
-from lispac.io.text_table import clock, columns_of, day, degrees_minutes_seconds, number
+from lispac.io.text_table import (
+    clock,
+    columns_of,
+    day,
+    degrees_and_minutes,
+    degrees_minutes_seconds,
+    hemisphere,
+    number,
+)
 from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
 from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, Length, grid_of, unit_of_heights
 from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
@@ -17,7 +25,7 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-PARSERS: Mapping[str, tuple[Callable[[str], float], float]] = {
+PARSERS: dict[str, tuple[Callable[[str], float], float]] = {
     "rad": (number, 1.0),
     "deg": (number, np.pi / 180),
     "dms": (degrees_minutes_seconds, np.pi / 180),
@@ -27,10 +35,17 @@ PARSERS: Mapping[str, tuple[Callable[[str], float], float]] = {
     "int-ft": (number, LENGTHS["int-ft"]),
     "us-ft": (number, LENGTHS["us-ft"]),
     UNSTATED: (number, 1.0),
+    "ddmm": (degrees_and_minutes, np.pi / 180),
+    "hemisphere": (hemisphere, 1.0),
     "s": (number, 1.0),
+    "ms": (number, 1e-3),
+    "us": (number, 1e-6),
+    "ns": (number, 1e-9),
     "clock": (clock, 1.0),
     "date": (day, 1.0),
 }
+for _unit in ("rad", "deg", "dms", "ddmm"):
+    PARSERS[f"{_unit}-west"] = PARSERS[_unit][0], -PARSERS[_unit][1]
 """How a unit is read, and the factor to radians, metres or seconds.
 
 Of positions on the map and heights, the coordinate system has a say in the factor."""
@@ -40,9 +55,17 @@ UNIT_WORDS = {
     "deg": "degrees",
     "dms": "degrees, minutes and seconds",
     "arcmin": "arc minutes",
+    "ddmm": "degrees and minutes without a sign between them",
+    "ms": "milliseconds",
+    "us": "microseconds",
+    "ns": "nanoseconds",
     "s": "seconds",
     "clock": "hours, minutes and seconds",
     "date": "date",
+}
+UNIT_WORDS |= {
+    f"{unit}-west": f"{UNIT_WORDS[unit]}, positive to the west"
+    for unit in ("rad", "deg", "dms", "ddmm")
 }
 
 _NAMES = {
@@ -50,6 +73,8 @@ _NAMES = {
     "date": "date day",
     "latitude": "latitude lat",
     "longitude": "longitude lon long lng",
+    "latitude_hemisphere": "latitudehemisphere ns northsouth lathemisphere lathemi latdir latns",
+    "longitude_hemisphere": "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew",
     "height": "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht",
     "sea_height": "altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
     "roll": "roll",
@@ -68,6 +93,7 @@ ROLES = {name: role for role, names in _NAMES.items() for name in names.split()}
 """Role of a column by its name in lower case, letters and digits alone."""
 
 POSITION = ("latitude", "longitude")
+HEMISPHERES = ("latitude_hemisphere", "longitude_hemisphere")
 GRID = ("easting", "northing")
 HEIGHTS = ("height", "sea_height")
 _NO_FACTORS: Mapping[str, float] = {}
@@ -140,6 +166,7 @@ def trajectory_of(
     lengths = _lengths(path, chosen, grid)
     factors = {role: length.metres for role, length in lengths.items()}
     values, numbers = _read(path, rows, chosen, factors)
+    _apply_hemispheres(path, values, numbers)
     time, notes = _times(path, values, conventions)
     if len(time) < 2:
         raise InputError(
@@ -180,7 +207,7 @@ def trajectory_of(
         f"column {column.name} is in "
         + (lengths[column.role].words if column.role in lengths else UNIT_WORDS[column.unit])
         for column in chosen
-        if column.role not in ("time", "date")
+        if column.role not in ("time", "date", *HEMISPHERES)
     )
     return Trajectory(
         time,
@@ -259,7 +286,8 @@ def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> 
         )
     height = "height" if "height" in roles else "sea_height"
     chosen = [_one(path, columns, role) for role in ("time", *place, height, *ATTITUDE)]
-    return chosen + [column for column in columns if column.role == "date"][:1]
+    beside = ("date", *(HEMISPHERES if place is POSITION else ()))
+    return chosen + [column for column in columns if column.role in beside]
 
 
 def map_doubts(
@@ -299,7 +327,9 @@ def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[st
     for column in chosen:
         is_length = column.unit == UNSTATED or column.unit in LENGTHS
         wanted = "an angle" if column.role in (*POSITION, *ATTITUDE) else "a length"
-        if column.role not in ("time", "date") and is_length is not (wanted == "a length"):
+        if column.role not in ("time", "date", *HEMISPHERES) and is_length is not (
+            wanted == "a length"
+        ):
             unit = column.unit or "none"
             raise InputError(
                 f"{path}: column {column.name} is in {UNIT_WORDS.get(unit, unit)} by its header, "
@@ -324,6 +354,28 @@ def _read(
             for column, values in zip(columns, table, strict=True)
         }
     return values, numbers
+
+
+def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -> None:
+    """Give latitudes and longitudes the sign of their hemisphere, where a column has it.
+
+    Raises
+    ------
+    InputError
+        Where a value has both a sign and a hemisphere.
+    """
+    for role, place in zip(HEMISPHERES, POSITION, strict=True):
+        sign = values.pop(role, None)
+        if sign is None:
+            continue
+        twice = (values[place] < 0) & (sign < 0)
+        if twice.any():
+            row = numbers[int(np.argmax(twice))]
+            raise InputError(
+                f"{path}, row {row:,}: the {place} has both a minus sign and a hemisphere; export "
+                "one of them, or name the column of the hemisphere -."
+            )
+        values[place] = values[place] * sign
 
 
 def _times(

@@ -253,7 +253,10 @@ ASCII = _format(
             "header", "Rows to pass over at the head; auto: up to the first of numbers.", (), "auto"
         ),
         Option(
-            "position", "Unit of latitude and longitude.", ("degrees", "radians", "dms"), "degrees"
+            "position",
+            "Unit of latitude and longitude.",
+            ("degrees", "radians", "dms", "degrees-minutes"),
+            "degrees",
         ),
         Option("attitude", "Unit of roll, pitch and heading.", ("degrees", "radians"), "degrees"),
         Option(

@@ -1,6 +1,6 @@
 """The trajectory: where the POS was and how it was turned, and how well that is known."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -52,6 +52,34 @@ class Trajectory:
         """Longitudes from -pi to pi, shape (n,), radians, as files state them."""
         turns = np.round(self.longitude / (2 * np.pi))
         return np.asarray(self.longitude - 2 * np.pi * turns)
+
+    def with_positions_only(self) -> "Trajectory":
+        """The states that have a position: latitude and longitude of a receiver are 0 before a fix.
+
+        Raises
+        ------
+        InputError
+            Where none has one.
+        """
+        placed = (self.latitude != 0) | (self.longitude_within_half_turn != 0)
+        if placed.all():
+            return self
+        count = int(np.count_nonzero(~placed))
+        if count == len(placed):
+            raise InputError(
+                "None of the states of the trajectory has a position (latitude and longitude are 0 "
+                "everywhere); export it from where the GNSS has a fix."
+            )
+        return replace(
+            self, time=self.time[placed], latitude=self.latitude[placed],
+            longitude=self.longitude[placed], height=self.height[placed],
+            attitude=self.attitude[placed],
+            assumptions=(
+                *self.assumptions,
+                f"{count:,} states without a position (latitude and longitude 0, as before the "
+                "GNSS has a fix) are left out",
+            ),
+        )  # fmt: skip
 
     def mean_frame(self) -> LocalFrame:
         """Local frame at the mean of the trajectory (thesis equation 1.5)."""

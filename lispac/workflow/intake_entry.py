@@ -256,6 +256,8 @@ def _filled(entry: Entry, progress: Progress) -> Entry:
         )
     content = entry.format.read(entry.path, entry.options)
     assert isinstance(content, Trajectory | TrajectoryAccuracy)
+    if isinstance(content, Trajectory):
+        content = content.with_positions_only()
     return replace(entry, content=content)
 
 

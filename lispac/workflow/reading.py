@@ -193,10 +193,10 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
     InputError
     """
     if not reading.format:
-        return read_sbet(path)
+        return read_sbet(path).with_positions_only()
     found = format_of(reading.format).read(Path(path), dict(reading.options))
     assert isinstance(found, Trajectory)
-    return found
+    return found.with_positions_only()
 
 
 def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str, ...]]:

@@ -5647,4 +5647,43 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{offset} m sont ajoutés aux hauteurs</translation>
     </message>
 </context>
+<context>
+    <name>columns of text</name>
+    <message>
+        <source>degrees and minutes without a sign between them</source>
+        <translation>degrés et minutes sans signe entre les deux</translation>
+    </message>
+    <message>
+        <source>degrees and minutes without a sign between them, positive to the west</source>
+        <translation>degrés et minutes sans signe entre les deux, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>degrees, positive to the west</source>
+        <translation>degrés, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>radians, positive to the west</source>
+        <translation>radians, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>degrees, minutes and seconds, positive to the west</source>
+        <translation>degrés, minutes et secondes, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>{unit}, positive to the west</source>
+        <translation>{unit}, positif vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>{path:file}, row {row:n}: the {place} has both a minus sign and a hemisphere; export one of them, or name the column of the hemisphere -.</source>
+        <translation>{path}, ligne {row} : la valeur ({place}) porte un signe moins et un hémisphère ; exportez l&apos;un des deux, ou nommez - la colonne de l&apos;hémisphère.</translation>
+    </message>
+    <message>
+        <source>{count:n} states without a position (latitude and longitude 0, as before the GNSS has a fix) are left out</source>
+        <translation>{count} états sans position (latitude et longitude nulles, comme avant le premier point GNSS) sont écartés</translation>
+    </message>
+    <message>
+        <source>None of the states of the trajectory has a position (latitude and longitude are 0 everywhere); export it from where the GNSS has a fix.</source>
+        <translation>Aucun état de la trajectoire n&apos;a de position (latitude et longitude sont nulles partout) ; exportez-la à partir du premier point GNSS.</translation>
+    </message>
+</context>
 </TS>
