@@ -212,7 +212,7 @@ class Project:
         """
         if which == "prior":
             settings = self.settings
-            return Mounting(
+            return Mounting.near(
                 np.array(settings.lever_arm, dtype=float),
                 np.radians(settings.boresight_deg),
                 settings.range_offset,

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.passes import in_chunks, kernel
 from lispac.adjustment.turns import turns_of
-from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
+from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -152,7 +152,7 @@ class Placing(NamedTuple):
         return cls(
             mounting.values,
             mounting.rotation_body_lidar,
-            rotation_derivatives(*mounting.boresight),
+            mounting.rotation_derivatives,
             rotation_matrix(mounting.scan_angle_offset, 0.0, 0.0),
             shapes,
         )

@@ -82,6 +82,17 @@ def _contradictions(result: AdjustmentResult, _: CrossChecks | None) -> Iterator
         )
 
 
+def _steep_pitch(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    if result.mounting.axes is not None:
+        yield Doubt(
+            "steep_pitch",
+            False,
+            "The pitch of the boresight is steep, where roll and yaw can hardly be told apart: the "
+            "standard deviations are those of small rotations about the body axes. Use the "
+            "rotation matrix rather than the three angles.",
+        )
+
+
 def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
     most = float(result.surfaces.max())
     if result.model.surface is not None or most <= FLAT:
@@ -231,6 +242,7 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], 
     _correlations,
     _surface_held,
     _surfaces,
+    _steep_pitch,
     contradicted,
     strays,
     noise,

@@ -328,7 +328,7 @@ class Linearised:
             departures = self.departures + correction[layout.surfaces[0].start :].reshape(-1, 3)
             surface = np.einsum("sij,sj->si", self.bases.surfaces, departures)
         new = State(
-            Mounting.of_values(values),
+            state.mounting.with_values(values),
             moved(state.shapes, changes, problem.observations.is_sphere),
             surface,
             state.effects + change,

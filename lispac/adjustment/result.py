@@ -275,8 +275,18 @@ class AdjustmentResult:
 
     @property
     def boresight(self) -> Array:
-        """Roll, pitch, yaw, shape (3,), radians."""
+        """Roll, pitch, yaw, shape (3,), radians, as they are estimated: see `Mounting`."""
         return self.mounting.boresight
+
+    @property
+    def angles(self) -> Array:
+        """Roll, pitch, yaw of the whole rotation, shape (3,), radians."""
+        return self.mounting.plain.boresight
+
+    @property
+    def prior_angles(self) -> Array:
+        """The prior ones, shape (3,), radians."""
+        return self.mounting.with_boresight(self.prior_boresight).plain.boresight
 
     @property
     def covariance(self) -> Array:

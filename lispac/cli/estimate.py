@@ -35,6 +35,7 @@ from lispac.doubles import project_doubts
 from lispac.io.plane_file import read_plane_files
 from lispac.progress import part
 from lispac.project import Project, Settings
+from lispac.survey.conventions.words import boresight_words
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, projects
 from lispac.workflow.qualities import qualities
@@ -151,7 +152,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
     settings.require_sound()
     observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
     observations = calibration.with_lidar_noise(observations, settings)
-    mounting = Mounting(
+    mounting = Mounting.near(
         np.array(arguments.lever_arm),
         np.radians(arguments.boresight or (0.0, 0.0, 0.0)),
         settings.range_offset,
@@ -194,7 +195,9 @@ def numbers(
     """The answer as plain values, in degrees and metres."""
     chi_square, seen = result.chi_square, result.observability
     return {
-        "boresight_deg": _degrees(result.boresight),
+        "boresight_deg": _degrees(result.angles),
+        "rotation_body_lidar": result.mounting.rotation_body_lidar.tolist(),
+        "sigma_about": "body axes" if result.mounting.axes is not None else "roll, pitch, yaw",
         "sigma_deg": _degrees(result.sigma),
         "correlation": result.correlation.tolist(),
         "variance_factor": result.variance_factor,
@@ -319,8 +322,8 @@ def print_result(
     verdict = "passed" if chi_square.passed else f"the stated sigmas are too {size}"
     print(f"{'degrees':{LABEL}s}" + "".join(f"{name:>12s}" for name in ANGLES))
     rows = {
-        "prior": np.degrees(result.prior_boresight),
-        "boresight": np.degrees(result.boresight),
+        "prior": np.degrees(result.prior_angles),
+        "boresight": np.degrees(result.angles),
         "sigma": np.degrees(result.sigma),
         "95 %": 1.96 * np.degrees(result.sigma),
     }
@@ -333,6 +336,8 @@ def print_result(
     for name, values in rows.items():
         sign = "+" if name in ("prior", "boresight") else ""
         print(f"{name:{LABEL}s}" + "".join(f"{value:{sign}12.4f}" for value in values))
+    if result.mounting.axes is not None:
+        print_steep(result)
     for estimate in result.parameters:
         print(_parameter_line(estimate))
     strays = f" ({counted(result.left_out, 'stray')} left out)" if result.left_out else ""
@@ -359,6 +364,18 @@ def print_result(
         print("\nTo know before using the angles:")
     for doubt in found:
         print(f"- {doubt.plain}")
+
+
+def print_steep(result: AdjustmentResult) -> None:
+    """The rotation where the pitch is so steep that roll and yaw do not describe it well."""
+    print(
+        "The pitch is steep: roll and yaw can hardly be told apart. The sigmas are those of small "
+        "rotations about the body axes (forward, left, down)."
+    )
+    print(f"In words: {boresight_words(result.angles)}")
+    print("Rotation matrix, LiDAR to body (forward, left, up):")
+    for row in result.mounting.rotation_body_lidar:
+        print("".join(f"{value:+14.8f}" for value in row))
 
 
 def _model_words(result: AdjustmentResult) -> str:

@@ -184,7 +184,7 @@ def _angles(project: Project) -> tuple[Angle, ...]:
     prior = np.degrees(result.prior_boresight) if result else project.settings.boresight_deg
     angles = []
     for k, name in enumerate(ANGLES):
-        estimated = float(np.degrees(result.boresight[k])) if result else None
+        estimated = float(np.degrees(result.angles[k])) if result else None
         sigma = float(np.degrees(result.sigma[k])) if result else None
         angles.append(
             Angle(

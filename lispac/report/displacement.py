@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.geometry.rotations import rotation_derivatives, rotation_matrix
 from lispac.report.values import Effect, S44Contribution
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
@@ -53,7 +52,7 @@ def in_words_of_s44(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
 
 def _turns(result: AdjustmentResult) -> NDArray[np.float64]:
     """Covariance of the small turn about the body's axes, shape (3, 3), radians squared."""
-    rotation = rotation_matrix(*result.boresight)
-    turning = rotation_derivatives(*result.boresight) @ rotation.T  # skew matrices of J's columns
+    rotation = result.mounting.rotation_body_lidar
+    turning = result.mounting.rotation_derivatives @ rotation.T  # skew matrices of J's columns
     jacobian = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]])
     return np.asarray(jacobian @ result.covariance @ jacobian.T)

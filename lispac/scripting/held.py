@@ -58,7 +58,7 @@ class Held:
     @property
     def boresight_deg(self) -> Triple:
         """Estimated roll, pitch, yaw in degrees."""
-        roll, pitch, yaw = np.degrees(self.result.boresight).tolist()
+        roll, pitch, yaw = np.degrees(self.result.angles).tolist()
         return roll, pitch, yaw
 
     @property

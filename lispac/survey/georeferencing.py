@@ -8,12 +8,13 @@ import os
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from itertools import permutations, product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.geometry.rotations import rotation_matrix
+from lispac.geometry.rotations import angles_of, rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress
 from lispac.survey import kernels
 from lispac.survey.trajectory import LocalTrajectory, Poses
@@ -28,6 +29,18 @@ CALIBRATION = (
     "latency",
 )  # fmt: skip
 """Names of the values of a `Mounting`, in the order of `Mounting.values`."""
+STEEPEST_PITCH = float(np.radians(60.0))
+"""Pitch of a boresight from which roll and yaw are told apart badly."""
+AXES = tuple(
+    np.array(rotation)
+    for rotation in (
+        np.eye(3)[list(order)] * np.array(signs)[:, None]
+        for order in permutations(range(3))
+        for signs in product((1.0, -1.0), repeat=3)
+    )
+    if np.linalg.det(rotation) > 0
+)
+"""The 24 rotations by right angles, each of shape (3, 3)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,13 +52,17 @@ class Mounting:
     lever_arm : ndarray of shape (3,), metres, body
         Optical centre of the LiDAR seen from the POS.
     boresight : ndarray of shape (3,), radians
-        Roll, pitch, yaw of the LiDAR frame in the body frame.
+        Roll, pitch, yaw of the LiDAR frame in the body frame; where ``axes`` is given, of the
+        LiDAR frame once its axes are turned so.
     range_offset : float, metres
         Added to every range.
     scan_angle_offset : float, radians
         Turns every beam about the x axis of the LiDAR, about which a profiler's mirror turns.
     latency : float, seconds
         Added to the time of every point before the trajectory is asked.
+    axes : ndarray of shape (3, 3) or None
+        Rotation by right angles of the axes of the LiDAR before the boresight turns them. Roll and
+        yaw are one angle at a pitch of 90 deg; with the axes turned, the boresight stays small.
     """
 
     lever_arm: Array
@@ -53,11 +70,51 @@ class Mounting:
     range_offset: float = 0.0
     scan_angle_offset: float = 0.0
     latency: float = 0.0
+    axes: Array | None = None
+
+    @classmethod
+    def near(
+        cls,
+        lever_arm: Array,
+        boresight: Array,
+        range_offset: float = 0.0,
+        scan_angle_offset: float = 0.0,
+        latency: float = 0.0,
+    ) -> "Mounting":
+        """A mounting whose boresight stays regular: with turned axes where the pitch is steep.
+
+        Parameters
+        ----------
+        lever_arm : ndarray of shape (3,), metres, body
+        boresight : ndarray of shape (3,), radians
+            Roll, pitch, yaw of the LiDAR frame in the body frame, of any size.
+        range_offset, scan_angle_offset, latency : metres, radians and seconds
+        """
+        given = cls(lever_arm, boresight, range_offset, scan_angle_offset, latency)
+        rotation = given.rotation_body_lidar
+        if np.abs(rotation[2, 0]) < np.sin(STEEPEST_PITCH):
+            return given
+        axes = max(AXES, key=lambda each: float(np.trace(each.T @ rotation)))
+        return replace(given, boresight=angles_of(rotation @ axes.T), axes=axes)
 
     @property
     def rotation_body_lidar(self) -> Array:
         """Rotation matrix from the LiDAR to the body frame, shape (3, 3)."""
-        return rotation_matrix(*self.boresight)
+        rotation = rotation_matrix(*self.boresight)
+        return rotation if self.axes is None else rotation @ self.axes
+
+    @property
+    def rotation_derivatives(self) -> Array:
+        """Derivatives of `rotation_body_lidar` by the boresight, shape (3, 3, 3), per radian."""
+        derivatives = rotation_derivatives(*self.boresight)
+        return derivatives if self.axes is None else derivatives @ self.axes
+
+    @property
+    def plain(self) -> "Mounting":
+        """The same mounting without turned axes: its boresight is that of the whole rotation."""
+        if self.axes is None:
+            return self
+        return replace(self, boresight=angles_of(self.rotation_body_lidar), axes=None)
 
     @property
     def values(self) -> Array:
@@ -65,10 +122,16 @@ class Mounting:
         others = (self.range_offset, self.scan_angle_offset, self.latency)
         return np.array([*self.boresight, *self.lever_arm, *others], dtype=float)
 
+    def with_values(self, values: Array) -> "Mounting":
+        """The same mounting with other values, shape (9,), as `values` has them."""
+        return replace(Mounting.of_values(values), axes=self.axes)
+
     @classmethod
     def of_values(cls, values: Array) -> "Mounting":
-        """The inverse of `values`."""
-        return cls(values[3:6].copy(), values[:3].copy(), *(float(value) for value in values[6:]))
+        """The inverse of `values`, without turned axes."""
+        range_offset, scan_angle_offset, latency = (float(value) for value in values[6:])
+        lever_arm, boresight = values[3:6].copy(), values[:3].copy()
+        return cls(lever_arm, boresight, range_offset, scan_angle_offset, latency)
 
     def with_boresight(self, boresight: Array) -> "Mounting":
         """The same mounting with another boresight, shape (3,), radians."""

@@ -173,7 +173,7 @@ def _calibrated(
     serious = any(caution.severity == "serious" for caution in cautions)
     result = project.result
     assert result is not None
-    roll, pitch, yaw = np.degrees(result.boresight).tolist()
+    roll, pitch, yaw = np.degrees(result.angles).tolist()
     sigmas = np.degrees(result.sigma).tolist()
     return replace(
         known,

@@ -137,7 +137,7 @@ def import_line(
         line.name,
         original,
         _made_with(line, trajectory, mounting),
-        {"mounting": mounting.values.tolist()},
+        {"mounting": mounting.plain.values.tolist()},
     )
     for far_copies in (False, True):
         source = _Source(LinePoints(line, trajectory, mounting, far_copies=far_copies), original)
@@ -262,7 +262,7 @@ def _made_with(line: LineSource, trajectory: LocalTrajectory, mounting: Mounting
         "reading": json.loads(json.dumps(encoded(line.reading))),  # as it comes back
         "columns": list(line.columns),
         "trajectory": _fingerprint(trajectory),
-        "recovered_with": mounting.values.tolist() if on_map else None,
+        "recovered_with": mounting.plain.values.tolist() if on_map else None,
         "latency": mounting.latency,
     }
 

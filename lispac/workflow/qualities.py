@@ -11,7 +11,7 @@ from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
-from lispac.survey.georeferencing import Georeferencer, Mounting
+from lispac.survey.georeferencing import Georeferencer
 from lispac.targets.expected import deviations
 from lispac.targets.hidden import Shown, ends_within, shown_of
 from lispac.targets.quality import (
@@ -149,7 +149,7 @@ class _Placing:
         """With the estimated mounting or the rough one."""
         mounting = project.mounting("estimated") if estimated else survey.aligned.mounting
         # A range offset has nothing to say about where the scanner was.
-        scanner = Mounting(mounting.lever_arm, mounting.boresight, latency=mounting.latency)
+        scanner = replace(mounting, range_offset=0.0, scan_angle_offset=0.0)
         turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
         return cls(
             Georeferencer.of(survey.trajectory, mounting),

@@ -281,12 +281,12 @@ class ConventionPanel(QWidget):
 
     def _show_words(self, mounting: Mounting) -> None:
         sentences = (
-            f"<b>{boresight_said(mounting.boresight)}</b>",
+            f"<b>{boresight_said(mounting.plain.boresight)}</b>",
             lever_arm_said(mounting.lever_arm),
             say(offsets_words(mounting)),
         )
         self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
-        self.gizmo.show_boresight(np.asarray(mounting.boresight, dtype=float))
+        self.gizmo.show_boresight(np.asarray(mounting.plain.boresight, dtype=float))
 
     def _show_matrix(self, stated: Stated) -> None:
         name = stated.setup.convention.name

@@ -249,7 +249,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
     """The angles, then every value that was switched on."""
     rows = []
     for k, angle in enumerate(("Roll", "Pitch", "Yaw")):
-        value, prior = result.boresight[k], result.prior_boresight[k]
+        value, prior = result.angles[k], result.prior_angles[k]
         rows.append(
             Row(
                 [

@@ -231,7 +231,7 @@ def _set_rows(table: QTableWidget, words: Sequence[str]) -> None:
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:
-    prior, value = np.degrees(result.prior_boresight), np.degrees(result.boresight)
+    prior, value = np.degrees(result.prior_angles), np.degrees(result.angles)
     sigma = np.degrees(result.sigma)
     interval = _TWO_SIDED_95 * sigma
     rows = [

@@ -230,6 +230,8 @@ def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> 
         Of roll, pitch and yaw in this program; turned through the Jacobian of the conversion.
     """
     convention, rotation = setup.convention, mounting.rotation_body_lidar
+    if mounting.axes is not None:  # the covariance is that of a rotation about the body axes
+        mounting, covariance = mounting.plain, None
     lever_arm = setup.permutation @ np.asarray(mounting.lever_arm, dtype=float)
     scanner = setup.scanner_matrix(rotation)
     coordinates = setup.permutation @ rotation @ scanner.T

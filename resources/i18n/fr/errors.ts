@@ -5686,4 +5686,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Aucun état de la trajectoire n&apos;a de position (latitude et longitude sont nulles partout) ; exportez-la à partir du premier point GNSS.</translation>
     </message>
 </context>
+<context>
+    <name>steep pitch</name>
+    <message>
+        <source>The pitch of the boresight is steep, where roll and yaw can hardly be told apart: the standard deviations are those of small rotations about the body axes. Use the rotation matrix rather than the three angles.</source>
+        <translation>Le tangage des angles de visée est proche de la verticale, où le roulis et le lacet se distinguent à peine : les écarts-types sont ceux de petites rotations autour des axes du navire. Utilisez la matrice de rotation plutôt que les trois angles.</translation>
+    </message>
+</context>
 </TS>
