@@ -34,6 +34,10 @@ def rotation_matrix(roll: float | Array, pitch: float | Array, yaw: float | Arra
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
+SINGULAR = 1e-12
+"""Cosine of the pitch below which roll and yaw are one angle."""
+
+
 def angles_of(rotation: Array) -> Array:
     """Roll, pitch and yaw of a rotation matrix; the inverse of `rotation_matrix`.
 
@@ -44,11 +48,17 @@ def angles_of(rotation: Array) -> Array:
     Returns
     -------
     ndarray of shape (..., 3), radians
-        Roll and yaw in (-pi, pi], pitch in [-pi/2, pi/2].
+        Roll and yaw in (-pi, pi], pitch in [-pi/2, pi/2]. At a pitch of 90 deg, where only the sum
+        or the difference of roll and yaw is determined, the roll is 0.
     """
     roll = np.arctan2(rotation[..., 2, 1], rotation[..., 2, 2])
-    pitch = np.arctan2(-rotation[..., 2, 0], np.hypot(rotation[..., 2, 1], rotation[..., 2, 2]))
+    level = np.hypot(rotation[..., 2, 1], rotation[..., 2, 2])
+    pitch = np.arctan2(-rotation[..., 2, 0], level)
     yaw = np.arctan2(-rotation[..., 1, 0], rotation[..., 0, 0])
+    singular = level < SINGULAR
+    if np.any(singular):
+        roll = np.where(singular, 0.0, roll)
+        yaw = np.where(singular, np.arctan2(rotation[..., 0, 1], rotation[..., 1, 1]), yaw)
     return np.stack([roll, pitch, yaw], axis=-1)
 
 
