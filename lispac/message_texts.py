@@ -68,6 +68,11 @@ TEXTS: Mapping[str, str] = {
         "{line}: the file holds {count:n} passes, separated by pauses in which the vessel turned. "
         "They count as one line and are not compared with each other. Split the line."
     ),
+    "trajectory.rate_too_low": (
+        "{line}: the trajectory has {rate:hz} states a second, too few for its motion. Between the "
+        "states the interpolation is off by up to {shift:mm} mm and {turn:deg} deg, "
+        "{share:percent} % of the stated accuracy. Export the trajectory at a higher rate."
+    ),
     # -- recovery of georeferenced lines -----------------------------------------------------
     "recovery.height_offset": (
         "{line}: the heights are {offset:m.1} m above those of the trajectory, as with heights "

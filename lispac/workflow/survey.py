@@ -25,6 +25,7 @@ from lispac.survey.line_audit import LineAudit
 from lispac.survey.store.layout import is_import
 from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+from lispac.survey.trajectory_rate import interpolation_messages
 from lispac.targets.alignment import Alignment, align
 from lispac.workflow.importing import import_line, line_folder
 from lispac.workflow.line_points import Found, read_line
@@ -165,6 +166,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
     messages += shared_messages(audits)
+    spans = {name: (scan.first_time, scan.last_time) for name, scan in scans.items()}
+    messages += interpolation_messages(trajectory, accuracy, spans)
     progress(1.0, "Survey loaded")
     return Survey(
         trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages

@@ -5693,4 +5693,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Le tangage des angles de visée est proche de la verticale, où le roulis et le lacet se distinguent à peine : les écarts-types sont ceux de petites rotations autour des axes du navire. Utilisez la matrice de rotation plutôt que les trois angles.</translation>
     </message>
 </context>
+<context>
+    <name>rate of a trajectory</name>
+    <message>
+        <source>{line:kept}: the trajectory has {rate:n} states a second, too few for its motion. Between the states the interpolation is off by up to {shift:n} mm and {turn:n} deg, {share:n} % of the stated accuracy. Export the trajectory at a higher rate.</source>
+        <translation>{line} : la trajectoire a {rate} états par seconde, trop peu pour son mouvement. Entre les états, l&apos;interpolation s&apos;écarte de {shift} mm et de {turn} deg au plus, soit {share} % de la précision indiquée. Exportez la trajectoire à une cadence plus élevée.</translation>
+    </message>
+</context>
 </TS>

@@ -1,0 +1,96 @@
+"""Whether the states of a trajectory are dense enough for the motion between them."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.causes import Cause
+from lispac.messages import Level, Message
+from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+
+Array = NDArray[np.float64]
+
+ALLOWED = 0.1
+"""Share of the stated accuracy that the error of the interpolation may reach."""
+WINDOW = 0.25
+"""Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
+QUANTILE = 0.95
+"""Of the intervals of a line, for the error that is reported."""
+
+
+def interpolation_error(trajectory: LocalTrajectory) -> Array:
+    """Error bound of linear interpolation between the states, shape (n - 1, 6).
+
+    Between two states dt apart it is at most ``dt^2 / 8`` times the second derivative (de Boor
+    2001, I), which the second differences of the states give.
+
+    Parameters
+    ----------
+    trajectory : LocalTrajectory
+
+    Returns
+    -------
+    ndarray of shape (n - 1, 6), metres and radians
+    """
+    states = np.hstack([trajectory.position, trajectory.attitude])
+    from scipy.ndimage import uniform_filter1d  # only where a survey is loaded
+
+    steps = np.diff(trajectory.time)
+    slopes = np.diff(states, axis=0) / steps[:, None]
+    curvature = np.diff(slopes, axis=0) / (0.5 * (steps[:-1] + steps[1:]))[:, None]
+    # Noise of single states and vibration change their sign from state to state and average out
+    # over a target; what stays over the window is the error of the motion.
+    width = max(1, round(WINDOW / float(np.median(steps))))
+    smooth = uniform_filter1d(curvature, width, axis=0, mode="nearest")
+    ends = np.abs(np.vstack([smooth[:1], smooth, smooth[-1:]]))
+    return np.asarray(0.5 * (ends[:-1] + ends[1:]) * steps[:, None] ** 2 / 8)
+
+
+def interpolation_messages(
+    trajectory: LocalTrajectory,
+    accuracy: TrajectoryAccuracy,
+    spans: Mapping[str, tuple[float, float]],
+) -> tuple[Message, ...]:
+    """Messages about lines during which the states are too far apart for the motion.
+
+    Parameters
+    ----------
+    spans : mapping of str to (float, float), seconds
+        First and last time of each line, by its name.
+    """
+    if len(trajectory.time) < 3:
+        return ()
+    errors = interpolation_error(trajectory)
+    middle = 0.5 * (trajectory.time[:-1] + trajectory.time[1:])
+    steps = np.diff(trajectory.time)
+    found = []
+    for name, (start, end) in spans.items():
+        of_line = (middle >= start) & (middle <= end) & (steps <= trajectory.longest_gap)
+        if np.count_nonzero(of_line) < 2:
+            continue
+        error = np.quantile(errors[of_line], QUANTILE, axis=0)
+        position_sigma, attitude_sigma = (
+            values.mean(axis=0) for values in accuracy.at(middle[of_line])
+        )
+        position, turn = float(error[:3].max()), float(error[3:].max())
+        share = max(
+            float(np.max(error[:3] / np.maximum(position_sigma, 1e-6))),
+            float(np.max(error[3:] / np.maximum(attitude_sigma, 1e-9))),
+        )
+        if share > ALLOWED:
+            found.append(
+                Message(
+                    "trajectory.rate_too_low",
+                    Level.WARNING,
+                    {
+                        "line": name,
+                        "rate": 1.0 / float(np.median(steps[of_line])),
+                        "shift": position,
+                        "turn": turn,
+                        "share": share,
+                    },
+                    Cause.of_line(name),
+                )
+            )
+    return tuple(found)
