@@ -350,3 +350,52 @@ def test_imported_lines_have_the_same_messages(folder: Path) -> None:
         "audit.several_sources",
     }  # fmt: skip
     assert stored.scans["L1"].fingerprint == survey.scans["L1"].fingerprint
+
+
+# -- splitting ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "by"),
+    [("L1.laz", "point_source_id"), ("L1.laz", "scanner_channel"), ("L1.csv", "head")],
+)
+def test_a_file_is_split_into_lines_by_an_attribute(folder: Path, name: str, by: str) -> None:
+    values = np.where(TIMES < START + 7, 1, 2).astype(np.uint8)
+    path = WRITERS[name](folder / name, TIMES, fan(COUNT), **{by: values})
+    survey = split(folder, path, by)
+    assert survey.lines == ("L1_1", "L1_2")
+    assert [len(survey.scans[line]) for line in survey.lines] == [
+        np.count_nonzero(values == value) for value in (1, 2)
+    ]
+    assert not {"audit.several_scanners", "audit.several_sources"} & set(by_code(survey))
+    assert survey.scans["L1_1"].last_time < survey.scans["L1_2"].first_time
+
+
+def split(folder: Path, path: Path, by: str) -> Survey:
+    _, survey = new_project(
+        folder.parent / "project", trajectory=folder / "pos.sbet",
+        accuracy=folder / "smrmsg.out", lines=[LineSource("L1", path)], settings=Settings(LEVER),
+        split_by=by,
+    )  # fmt: skip
+    return survey
+
+
+@every_format
+def test_a_file_is_split_into_lines_at_pauses(folder: Path, name: str) -> None:
+    times = np.concatenate([START + np.linspace(2, 8, 1000), START + np.linspace(20, 30, 1500)])
+    path = WRITERS[name](folder / name, times, fan(len(times)))
+    survey = split(folder, path, "gap")
+    assert survey.lines == ("L1_1", "L1_2")
+    assert [len(survey.scans[line]) for line in survey.lines] == [1000, 1500]
+    stored = stored_survey(folder)
+    assert [len(stored.scans[line]) for line in stored.lines] == [1000, 1500]
+
+
+def test_passes_with_a_turn_between_them_are_named(folder: Path) -> None:
+    records = np.fromfile(folder / "pos.sbet").reshape(-1, 17)
+    turned = records[:, 0] > START + 15
+    records[turned, 9] += np.pi * np.minimum(1, (records[turned, 0] - START - 15) / 3)
+    records.tofile(folder / "pos.sbet")
+    times = np.concatenate([START + np.linspace(2, 8, 1000), START + np.linspace(20, 30, 1500)])
+    survey = opened(folder, las(folder / "L1.laz", times, fan(len(times))))
+    assert by_code(survey)["audit.several_passes"].params["count"] == 2

@@ -36,4 +36,6 @@ def _suggestion(action: Action) -> str:
     if action.code == "set_option":
         switch = action.params.get("switch", "line")
         return f"--{switch}-option {action.params['name']}={action.params['value']}"
+    if action.code == "split_line":
+        return f"--split-by {action.params['by']}"
     return action_text(action)

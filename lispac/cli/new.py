@@ -53,6 +53,7 @@ def new(arguments: Namespace) -> None:
                 arguments.accuracy_format or "", tuple(arguments.accuracy_option)
             ),
             identity=BLANK.changed(**named),
+            split_by=arguments.split_by,
             progress=progress,
         )
     _notes(survey)

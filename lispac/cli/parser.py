@@ -126,6 +126,11 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--time-shift", type=float, default=0.0, metavar="SECONDS",
         help="added to the times of the lines to bring them into the trajectory's",
     )  # fmt: skip
+    new.add_argument(
+        "--split-by", default="", metavar="ATTRIBUTE",
+        help="make a line of each value of an attribute (point_source_id, scanner_channel, "
+        "user_data, ...) of a file, or with gap of each part between pauses",
+    )  # fmt: skip
     triple(
         new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True
     )

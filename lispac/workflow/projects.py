@@ -24,6 +24,7 @@ from lispac.workflow.importing import LINES, line_folder
 from lispac.workflow.moved import with_files_beside
 from lispac.workflow.reading import usual_or_settled
 from lispac.workflow.restarts import lines_counted_on
+from lispac.workflow.splitting import split_line
 from lispac.workflow.stated_times import lines_in_trajectory_time, states_time
 from lispac.workflow.survey import Survey, load_survey
 
@@ -103,6 +104,7 @@ def new_project(
     accuracy_reading: Reading = USUAL,
     identity: Identity = BLANK,
     settled: bool = False,
+    split_by: str = "",
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
     """Read the survey first, so that what cannot be used is said now, then make its project.
@@ -116,6 +118,8 @@ def new_project(
         Boresight put into a simulated survey.
     settled : bool
         Whether the readings are those of a project, where this was done before.
+    split_by : str
+        Attribute, or ``gap``, by which files are split into lines; see `split_line`.
 
     Raises
     ------
@@ -132,10 +136,13 @@ def new_project(
         known, trajectory_reading, accuracy_reading, notes = settled_readings(
             known, trajectory, trajectory_reading, accuracy, accuracy_reading
         )
+    if split_by:
+        known = tuple(part for line in known for part in split_line(line, split_by))
     draft = replace(
         draft, lines=known, trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
     )  # fmt: skip
+    _require_names(draft)
     with taken_back(draft):
         survey = load_survey(draft, progress=progress)
         project = create_project(
@@ -195,7 +202,7 @@ def with_lines_added(
     """
     for line in lines:
         for known in project.lines:
-            if known.path == Path(line.path).absolute():
+            if known.path == Path(line.path).absolute() and known.reading == line.reading:
                 raise ProjectError(f"{line.path}: this is the line {known.name} already.")
     added, notes = _settled_lines(lines)
     added, more = lines_in_trajectory_time(

@@ -5700,4 +5700,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{line} : la trajectoire a {rate} états par seconde, trop peu pour son mouvement. Entre les états, l&apos;interpolation s&apos;écarte de {shift} mm et de {turn} deg au plus, soit {share} % de la précision indiquée. Exportez la trajectoire à une cadence plus élevée.</translation>
     </message>
 </context>
+<context>
+    <name>splitting</name>
+    <message>
+        <source>{path:file}: its points have no attribute {by:kept} to split by; they have {names:kept}.</source>
+        <translation>{path} : ses points n&apos;ont pas d&apos;attribut {by} selon lequel diviser ; ils ont {names}.</translation>
+    </message>
+</context>
 </TS>

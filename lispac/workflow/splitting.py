@@ -1,0 +1,72 @@
+"""Splitting the line of a file that holds several scanners or passes into lines."""
+
+from dataclasses import replace
+
+from lispac.errors import InputError
+from lispac.io.points import FRAME, SCANNER
+from lispac.project import LineSource
+from lispac.survey.screening import Condition, PointScreen, PointSelection
+from lispac.workflow.line_points import read_chunks
+from lispac.workflow.reading import format_of_line
+
+GAP = "gap"
+"""Splits a line where its times pause."""
+
+
+def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
+    """The lines that a file holds: one for each value of an attribute, or between pauses.
+
+    Parameters
+    ----------
+    line : LineSource
+    by : str
+        Attribute (``point_source_id``, ``scanner_channel``, ``user_data`` ...), or ``gap``.
+
+    Returns
+    -------
+    tuple of LineSource
+        Of the same file, each with the option ``only``; the line itself where there is but one.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, or its points have no such attribute.
+    """
+    format, choice, _ = format_of_line(line)
+    settled = format.settled(choice)
+    screen = PointScreen(PointSelection.of(settled), ranged=settled[FRAME.name] == SCANNER)
+    known: set[str] = set()
+    for chunk in read_chunks(format.read(line.path, choice)):
+        known |= set(chunk.extra)
+        screen(chunk.time, chunk.xyz, chunk.extra)
+    audit = screen.result()
+    if by == GAP:
+        conditions = [Condition("time", start, end) for start, end in audit.spans]
+        names = [f"{line.name}_{k}" for k in range(1, len(conditions) + 1)]
+    else:
+        if by not in known:
+            raise InputError(
+                f"{line.path}: its points have no attribute {by} to split by; they have "
+                f"{', '.join(sorted(known)) or 'none'}."
+            )
+        values = [float(value) for value in audit.groups.get(by, ())]
+        conditions = [Condition(by, value, value) for value in values]
+        names = [f"{line.name}_{value:g}" for value in values]
+    if len(conditions) < 2:
+        return (line,)
+    return tuple(
+        _selected(line, name, condition, format.key)
+        for name, condition in zip(names, conditions, strict=True)
+    )
+
+
+def _selected(line: LineSource, name: str, condition: Condition, key: str) -> LineSource:
+    """The line with the points that meet a condition, under another name."""
+    options = dict(line.reading.options)
+    before = options.get("only", "")
+    options["only"] = f"{before} {condition}".strip()
+    if line.columns:
+        options.setdefault("columns", " ".join(line.columns))
+    format = line.reading.format or key
+    reading = replace(line.reading, format=format, options=tuple(options.items()))
+    return replace(line, name=name, columns=(), reading=reading)
