@@ -9,6 +9,8 @@ from lispac.errors import InputError
 from lispac.survey.time_base import (
     BASES,
     DAY,
+    GPS_EPOCH,
+    HOUR,
     LEAP_DATES,
     WEEK,
     Match,
@@ -23,6 +25,7 @@ from lispac.survey.time_base import (
     unrolled,
 )
 from lispac.survey.time_quality import Coverage, coverage, joined, time_quality
+from lispac.survey.time_restart import counted_on, restart_of
 
 EPOCH = datetime(1980, 1, 6, tzinfo=UTC)
 
@@ -87,6 +90,8 @@ def test_there_and_back_is_where_we_were(survey: tuple) -> None:
 def test_own_base_is_always_plausible(survey: tuple) -> None:
     start, span, base = survey
     values = from_gps(np.linspace(start, start + span, 50), base)
+    if base.key == "utc-hour" and values.max() >= 2 * HOUR:
+        return  # only writers that start again at the full hour count from it
     early = base.key == "gps-adjusted" and values.min() >= 0 and values.max() < WEEK
     assert early or base in plausible(values)
 
@@ -96,8 +101,8 @@ def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> No
     start, span, base = survey
     track = np.linspace(start, start + span + 600, 500)
     line = np.linspace(start + where * span, start + where * span + 60, 20)
-    if leaps_inside(track):
-        return
+    if leaps_inside(track) or ("utc-hour" in (base.key, other.key) and span > HOUR / 2):
+        return  # by the times alone a longer survey has several hours that fit
     found = matches(
         from_gps(line, base), from_gps(track, other), point_bases=[base], trajectory_bases=[other]
     )
@@ -302,3 +307,53 @@ def test_surveys_are_of_the_years_2000_to_2045() -> None:
     assert known(2044, 12, 31, 23, 59, 59)
     assert not known(1999, 12, 31, 23, 59, 59)
     assert not known(2045, 1, 1)
+
+
+# -- PTP and the full hour ------------------------------------------------------------------------
+
+
+@given(st.floats(gps(2018, 1, 2), gps(2044, 12, 1)))
+def test_tai_is_37_s_ahead_of_utc_and_19_s_ahead_of_gps(start: float) -> None:
+    moment = np.array([start])
+    tai, unix, full = (from_gps(moment, base_of(key)) for key in ("tai", "unix", "gps-full"))
+    np.testing.assert_allclose(tai - unix, 37.0, atol=1e-5)
+    np.testing.assert_allclose(tai - full, GPS_EPOCH + 19.0, atol=1e-5)
+
+
+def test_unix_times_may_be_ptp_and_both_are_named() -> None:
+    track = gps(2024, 5, 31) + np.linspace(3000, 4000, 500)
+    line = track[200:260]
+    for key in ("unix", "tai"):
+        found = matches(
+            from_gps(line, base_of(key)), from_gps(track, base_of("gps-week")),
+            trajectory_bases=[base_of("gps-week")],
+        )  # fmt: skip
+        shifts = {match.points.key: match.shift for match in found if match.share == 1}
+        assert {"unix", "tai"} <= set(shifts)
+        assert shifts["unix"] - shifts["tai"] == pytest.approx(37.0)
+        own = base_of(key)
+        right = from_gps(track, base_of("gps-week"))[0] - from_gps(track, own)[0]
+        assert shifts[key] == pytest.approx(right)
+
+
+@given(st.integers(0, 167), st.floats(60, 3000), st.floats(10, 1500))
+def test_seconds_of_the_hour_come_onto_the_trajectory(hour: int, begin: float, span: float) -> None:
+    """Within the hour and across it, as a Velodyne counts them."""
+    start = gps(2024, 6, 2) + hour * HOUR + 18 + begin
+    track = start + np.linspace(-60, span + 60, 800)
+    line = start + np.linspace(0, span, 300)
+    raw = np.mod(from_gps(line, base_of("unix")), HOUR)
+    restart = restart_of(raw)
+    assert restart == ("full-hour" if raw[-1] < raw[0] and span < 0.9 * HOUR / 2 else "") or (
+        raw[-1] < raw[0]
+    )
+    counted = np.where(raw < raw[0], raw + HOUR, raw)
+    if restart:
+        np.testing.assert_allclose(counted_on(raw, restart) - counted, counted[0] * 0, atol=1e-6)
+    found = matches(
+        counted, from_gps(track, base_of("gps-week")),
+        point_bases=[base_of("utc-hour")], trajectory_bases=[base_of("gps-week")],
+    )  # fmt: skip
+    assert found[0].share == 1
+    right = from_gps(track, base_of("gps-week"))[0] - track[0]
+    assert any(np.allclose(m.applied(counted) - line, right, atol=1e-5) for m in found)

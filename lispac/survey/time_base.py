@@ -17,7 +17,9 @@ from lispac.errors import InputError
 
 Array = NDArray[np.float64]
 
-DAY, WEEK = 86_400.0, 604_800.0
+HOUR, DAY, WEEK = 3600.0, 86_400.0, 604_800.0
+GPS_AFTER_TAI = 19.0
+"""Seconds that GPS time is behind TAI, at all times."""
 GPS_EPOCH = datetime(1980, 1, 6, tzinfo=UTC).timestamp()
 """Unix time of the zero of GPS time, seconds."""
 NEAR_START = 60.0
@@ -81,6 +83,8 @@ BASES = (
     _absolute("gps-adjusted", "adjusted standard GPS time (minus 1e9)", 1e9, False),
     _absolute("gps-full", "GPS seconds since 1980-01-06", 0.0, False),
     _absolute("unix", "UTC seconds since 1970-01-01", -GPS_EPOCH, True),
+    _absolute("tai", "TAI seconds since 1970-01-01 (PTP)", -GPS_EPOCH - GPS_AFTER_TAI, False),
+    TimeBase("utc-hour", "UTC seconds of the hour", 0.0, HOUR, True, 0.0, 2 * HOUR),
 )
 """All bases, the more usual first."""
 
@@ -192,7 +196,7 @@ def unrolled(times: Array) -> tuple[Array, int]:
     """
     times = np.asarray(times, dtype=np.float64)
     added, count = np.zeros(len(times)), 0
-    for k in np.flatnonzero(np.diff(times) < -DAY + NEAR_START):
+    for k in np.flatnonzero(np.diff(times) < -HOUR + NEAR_START):
         if period := period_between(float(times[k]), float(times[k + 1])):
             added[k + 1 :] += period
             count += 1
@@ -209,7 +213,7 @@ def period_between(before: float, after: float, leeway: float = NEAR_START) -> f
     leeway : float, seconds
         That each of the two may be from the start.
     """
-    for period in (DAY, WEEK):
+    for period in (DAY, WEEK, HOUR):
         if period - leeway <= before < period and 0 <= after < leeway:
             return period
     return 0.0

@@ -5,14 +5,16 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.survey.time_base import DAY, NEAR_START, WEEK, period_between
+from lispac.survey.time_base import DAY, HOUR, NEAR_START, WEEK, period_between
 
 Array = NDArray[np.float64]
 
 NONE = "none"
-PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK}
+PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK, "full-hour": HOUR}
 """Seconds that times are counted on by, by what is said of them; nothing where it is not one."""
 KEYS = (NONE, *PERIODS)
+PLACES = {"midnight": "midnight", "week-end": "the end of the week", "full-hour": "the full hour"}
+"""Where times start again, in words."""
 
 
 def restart_of(times: Array) -> str:
@@ -76,7 +78,7 @@ def restart_words(times: Array, restart: str) -> str:
     times : ndarray of shape (n,), seconds, as they count on
     """
     period = PERIODS[restart]
-    where = "midnight" if restart == "midnight" else "the end of the week"
+    where = PLACES[restart]
     before, after = times[times < period], times[times >= period]
     if not len(before):
         return f"times are those after {where}: counted on by {period:.0f} s"

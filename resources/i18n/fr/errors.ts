@@ -5707,4 +5707,19 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : ses points n&apos;ont pas d&apos;attribut {by} selon lequel diviser ; ils ont {names}.</translation>
     </message>
 </context>
+<context>
+    <name>time bases</name>
+    <message>
+        <source>TAI seconds since 1970-01-01 (PTP)</source>
+        <translation>secondes TAI depuis le 1970-01-01 (PTP)</translation>
+    </message>
+    <message>
+        <source>UTC seconds of the hour</source>
+        <translation>secondes UTC de l&apos;heure</translation>
+    </message>
+    <message>
+        <source>the full hour</source>
+        <translation>l&apos;heure pleine</translation>
+    </message>
+</context>
 </TS>
