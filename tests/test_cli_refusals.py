@@ -19,8 +19,6 @@ PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"]
          "patchtest: give objects with --object, or look for some with --count."),
         (["patchtest", "p", "--object", "pole=here"],
          "patchtest: pole=here is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."),
-        ([*PLANES, "--subsample", "0.1"],
-         "estimate: --subsample goes with a project; plane files are thinned."),
         ([*PLANES, "--latency", "0.01"],
          "estimate: --latency goes with a project; plane files hold positions already read."),
         ([*PLANES, "--estimate", "latency=soon"],

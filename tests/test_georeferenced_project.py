@@ -274,3 +274,16 @@ def test_from_the_command_line(
     out, err = capsys.readouterr()
     assert out.split("\n")[1] == f"{tmp_path / 'out' / 'L2_prior.laz'}  {COUNT} points"
     assert "North, West, Up" in err
+
+
+def test_a_cloud_in_the_local_frame_is_not_taken_for_a_line(
+    project: Project, tmp_path: Path
+) -> None:
+    for ending in ("las", "laz"):
+        (done,) = georeference_project(
+            project, tmp_path / ending, "prior", system="local", lines=["L1"], ending=ending
+        )
+        with pytest.raises(InputError, match="local frame of a project"):
+            LAS.look(done.path, {})
+    (done,) = georeference_project(project, tmp_path / "map", "prior", system=UTM, lines=["L1"])
+    assert LAS.look(done.path, {}).choice["frame"] == "georeferenced"

@@ -134,7 +134,7 @@ def test_las_without_gps_time_is_refused(tmp_path: Path) -> None:
 
 def test_empty_las_is_refused(tmp_path: Path) -> None:
     path = las_file(tmp_path / "a.las", point_format=6, version="1.4", count=0)
-    with pytest.raises(InputError, match="no row of four numbers"):
+    with pytest.raises(InputError, match="holds no points"):
         read_scan(path)
 
 

@@ -1,5 +1,7 @@
 """Spatial subsampling: what is kept, how far apart, and that order does not matter."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -8,7 +10,11 @@ from hypothesis.extra.numpy import arrays
 from scipy.spatial import cKDTree
 
 from lispac.errors import InputError
+from lispac.project import Settings
+from lispac.survey.georeferencing import Mounting
 from lispac.targets.thinning import thin
+from lispac.workflow.calibration import thinned
+from tests.surveys import planar_survey
 
 POINTS = arrays(
     np.float64,
@@ -58,3 +64,16 @@ def test_a_dense_board_is_left_with_about_one_point_per_cell():
 def test_a_distance_that_is_no_number_is_refused(distance):
     with pytest.raises(InputError):
         thin(np.zeros((3, 3)), distance)
+
+
+@pytest.mark.parametrize("pos_errors", ["correlated", "independent"])
+def test_observations_of_plane_files_are_thinned_as_those_of_a_project(pos_errors: str) -> None:
+    mounting = Mounting(np.array([0.1, 0.0, 2.0]), np.radians([0.3, -0.2, 0.4]))
+    whole = planar_survey(mounting, points=400)
+    chosen = Settings((0.1, 0.0, 2.0), subsample=0.2, pos_errors=pos_errors)
+    fewer = thinned(whole, mounting, chosen)
+    assert fewer.sightings == whole.sightings
+    assert (fewer.counts > 10).all()
+    assert len(fewer) < 0.6 * len(whole)
+    again = thinned(whole, mounting, replace(chosen, subsample=0.0))
+    assert len(again) == len(whole)

@@ -144,8 +144,6 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         raise UsageError(
             "estimate: --latency goes with a project; plane files hold positions already read."
         )
-    if arguments.subsample:
-        raise UsageError("estimate: --subsample goes with a project; plane files are thinned.")
     if len({path.resolve() for path in arguments.planes}) < len(arguments.planes):
         raise UsageError("estimate: a plane file is given twice; its points would count double.")
     settings = asked_settings(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
@@ -158,6 +156,8 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         settings.range_offset,
         float(np.radians(settings.scan_angle_offset_deg)),
     )
+    if arguments.subsample is not None:  # otherwise the points are taken as the files have them
+        observations = calibration.thinned(observations, mounting, settings)
     with ConsoleProgress() as progress:
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,

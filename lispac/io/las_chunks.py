@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.las_crs import StatedSystem, stated_system
+from lispac.io.las_crs_written import is_in_local_frame
 from lispac.io.las_guard import require_sound_header
 from lispac.io.points import (
     CHUNK,
@@ -94,6 +95,12 @@ def look(path: Path, choice: Choice) -> Finding:
     path = require_filled(path, "LAS")
     with plainly(path, "LAS or LAZ"), opened(path) as reader:
         header = reader.header
+        if is_in_local_frame(header) and "frame" not in choice:
+            raise InputError(
+                f"{path}: this cloud was written in the local frame of a project (north, west, up),"
+                " so its points are not those of the scanner; write it with a coordinate system "
+                "(georeference --crs) to use it as a line."
+            )
         stated = stated_system(header, path.name)
         points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)

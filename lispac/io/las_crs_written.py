@@ -35,6 +35,13 @@ NUMBER, TEXT = 0, 34737
 PROJECTED_MODEL, GEOGRAPHIC_MODEL = 1, 2
 RECORDS = ("WktCoordinateSystemVlr", "WktMathTransformVlr", "GeoKeyDirectoryVlr",
            "GeoAsciiParamsVlr", "GeoDoubleParamsVlr")  # fmt: skip
+OWN_ID, LOCAL_FRAME = "LISPAC", 1
+"""User and record ID of the record that marks a cloud in the local frame of a project."""
+
+
+def is_in_local_frame(header: laspy.LasHeader) -> bool:
+    """Whether a cloud was written in the local frame of a project."""
+    return any(each.user_id == OWN_ID and each.record_id == LOCAL_FRAME for each in header.vlrs)
 
 
 def state_system(header: laspy.LasHeader, crs: CRS | None) -> None:
@@ -46,8 +53,10 @@ def state_system(header: laspy.LasHeader, crs: CRS | None) -> None:
         header.vlrs.extract(name)
         if header.evlrs is not None:
             header.evlrs.extract(name)
+    header.vlrs[:] = [each for each in header.vlrs if each.user_id != OWN_ID]
     header.global_encoding.wkt = header.point_format.id >= 6
     if crs is None:
+        header.vlrs.append(laspy.VLR(OWN_ID, LOCAL_FRAME, "local_frame", b""))
         return
     header.vlrs.append(WktCoordinateSystemVlr(_wkt(crs)))
     if header.point_format.id >= 6:

@@ -15,7 +15,8 @@ from lispac.design.advice import advice
 from lispac.errors import AdjustmentError, RankDeficient
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
-from lispac.survey.georeferencing import Mounting
+from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.trajectory import Poses
 from lispac.targets.thinning import thin
 from lispac.workflow.reselection import reselect
 from lispac.workflow.survey import Survey
@@ -109,13 +110,34 @@ def observations_of(
     )
     if not averages:
         return observations
-    return averaged(
-        observations,
-        mounting or project.mounting("prior"),
-        settings.subsample,
-        longest=settings.stochastic_model.knot_interval,
-        strays_apart=settings.stochastic_model.loss != "none",
-    )
+    return thinned(observations, mounting or project.mounting("prior"), settings)
+
+
+def thinned(observations: Observations, mounting: Mounting, settings: Settings) -> Observations:
+    """Fewer observations: neighbours are averaged; in thesis mode one of them is kept.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        Places the points to find neighbours.
+    settings : Settings
+        With the distance of neighbours and the model of the errors.
+    """
+    if settings.pos_errors == "correlated":
+        return averaged(
+            observations,
+            mounting,
+            settings.subsample,
+            longest=settings.stochastic_model.knot_interval,
+            strays_apart=settings.stochastic_model.loss != "none",
+        )
+    poses = Poses(observations.position, observations.attitude)
+    points = place(observations.points_lidar, poses, mounting)
+    keep = np.zeros(len(observations), dtype=bool)
+    for k in range(len(observations.sightings)):
+        own = np.flatnonzero(observations.sighting == k)
+        keep[own[thin(points[own], settings.subsample)]] = True
+    return observations.where(keep)
 
 
 def _require_two_lines(project: Project) -> None:

@@ -5722,4 +5722,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>l&apos;heure pleine</translation>
     </message>
 </context>
+<context>
+    <name>local frame</name>
+    <message>
+        <source>{path:file}: this cloud was written in the local frame of a project (north, west, up), so its points are not those of the scanner; write it with a coordinate system (georeference --crs) to use it as a line.</source>
+        <translation>{path} : ce nuage a été écrit dans le repère local d&apos;un projet (nord, ouest, haut), ses points ne sont donc pas ceux du scanneur ; écrivez-le dans un système de coordonnées (georeference --crs) pour l&apos;utiliser comme ligne.</translation>
+    </message>
+</context>
 </TS>

@@ -9573,4 +9573,31 @@ m/s</translation>
         <translation>Inconnu</translation>
     </message>
 </context>
+<context>
+    <name>options of points</name>
+    <message>
+        <source>Withheld points</source>
+        <translation>Points retenus (withheld)</translation>
+    </message>
+    <message>
+        <source>Excluded classes</source>
+        <translation>Classes exclues</translation>
+    </message>
+    <message>
+        <source>Only points with</source>
+        <translation>Seulement les points avec</translation>
+    </message>
+    <message>
+        <source>Largest range (m)</source>
+        <translation>Portée maximale (m)</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>exclus</translation>
+    </message>
+    <message>
+        <source>at the full hour</source>
+        <translation>à l&apos;heure pleine</translation>
+    </message>
+</context>
 </TS>

@@ -14,8 +14,16 @@ ROLES: dict[Kind | None, str] = {
     "trajectory": "Trajectory", "accuracy": "Accuracy", "points": "Line", None: "Leave out",
 }  # fmt: skip
 _COUNTS = ("points", "Points", "Records", "Rows")
-_OPTIONS = {"crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Times restart"}
-_RESTARTS = {"none": "nowhere", "midnight": "at midnight", "week-end": "at the end of the week"}
+_OPTIONS = {
+    "crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Times restart",
+    "withheld": "Withheld points", "exclude_classes": "Excluded classes",
+    "only": "Only points with", "max_range": "Largest range (m)",
+}  # fmt: skip
+_WITHHELD = {"exclude": "excluded", "keep": "used"}
+_RESTARTS = {
+    "none": "nowhere", "midnight": "at midnight", "week-end": "at the end of the week",
+    "full-hour": "at the full hour",
+}  # fmt: skip
 _UNSTATED = {
     "restart": "as found by the times", "grid_unit": "by the system", "heights": "by the system",
 }  # fmt: skip
@@ -91,6 +99,8 @@ def option_value(name: str, value: str) -> str:
         return _UNSTATED.get(name, "as the file says")
     if name == "restart":
         return _RESTARTS[value]
+    if name == "withheld":
+        return _WITHHELD[value]
     if value in KEYS:
         return base_of(value).name
     if name == "frame":
