@@ -164,7 +164,9 @@ class PointScreen:
 
     def __post_init__(self) -> None:
         self._tables = np.zeros((2, kernels.WINDOW_SLOTS), np.uint64)
-        self._fill = np.zeros(2, np.int64)
+        self._fill = np.array([0, 0, int(self.far_copies)])
+        self._latest = np.full(1, -np.inf)
+        self._tail = np.zeros((0, 4), np.uint64)
         self._sketch: dict[int, int] = {}
         self._threshold = np.uint64(np.iinfo(np.uint64).max)
         self._last = np.full(1, np.nan)
@@ -205,7 +207,7 @@ class PointScreen:
         used = status == kernels.KEPT
         self._audit(time, extra, used)
         if self.ranged:
-            self.add_ranges(xyz[used][::RANGE_STEP])
+            self.add_ranges(xyz[::RANGE_STEP][used[::RANGE_STEP]])
         return used
 
     def screen_recovered(self, points_lidar: Array) -> Mask:
@@ -218,7 +220,7 @@ class PointScreen:
         status, counts = _by_range(points_lidar, self.selection.most_range)
         self._counts += counts
         used = status == kernels.KEPT
-        self.add_ranges(points_lidar[used][::RANGE_STEP])
+        self.add_ranges(points_lidar[::RANGE_STEP][used[::RANGE_STEP]])
         return np.asarray(used)
 
     def add_ranges(self, points_lidar: Array) -> None:
@@ -271,7 +273,9 @@ class PointScreen:
         """Status of each point by flags, classes and conditions, shape (n,)."""
         status = np.zeros(len(time), np.uint8)
         if "withheld" in extra and not self.selection.keep_withheld:
-            self._exclude(status, np.asarray(extra["withheld"]) != 0, 0)
+            withheld = np.asarray(extra["withheld"])
+            if withheld.any():
+                self._exclude(status, withheld != 0, 0)
         if self.selection.excluded_classes and "classification" in extra:
             self._exclude(
                 status, np.isin(extra["classification"], self.selection.excluded_classes), 1
@@ -296,10 +300,13 @@ class PointScreen:
                 self._tables = np.stack([larger, np.zeros_like(larger)])
                 self._fill[1] = 0
         sampled = np.empty(len(time), np.uint64)
+        bits = time.view(np.uint64), xyz.view(np.uint64)
         found, count = kernels.mark_duplicates(
-            time.view(np.uint64), xyz.view(np.uint64), status, self._tables, self._fill,
+            time, *bits, status, self._latest, self._tail, self._tables, self._fill,
             self._threshold, sampled,
         )  # fmt: skip
+        last = slice(max(0, len(time) - kernels.LONGEST_RUN), None)
+        self._tail = np.column_stack([bits[0][last], bits[1][last]])
         self._counts[kernels.DUPLICATE] += found
         self._counts[kernels.KEPT] -= found
         values, times = np.unique(sampled[:count], return_counts=True)
@@ -312,8 +319,9 @@ class PointScreen:
 
     def _audit(self, time: Array, extra: Mapping[str, NDArray[Any]], used: Mask) -> None:
         first = used
-        if "return_number" in extra:
-            first = used & (np.asarray(extra["return_number"]) <= 1)
+        returns = np.asarray(extra["return_number"]) if "return_number" in extra else None
+        if returns is not None and len(returns) and returns.max() > 1:
+            first = used & (returns <= 1)
         seconds = np.empty(len(time), np.int64)
         points, changes, entries = kernels.time_steps(
             time, first, self._last, self._gaps, self._sums, seconds
@@ -323,12 +331,15 @@ class PointScreen:
         self._seconds = np.union1d(self._seconds, seconds[:entries])
         if len(self._some_times) < MOST_CHUNKS_OF_TIMES:
             self._some_times.append(time[first][:: 1 + len(time) // TIMES_OF_CHUNK])
+        all_used = bool(used.all())
         for name in GROUPS:
             if name in extra and len(self._groups.setdefault(name, {})) <= MOST_VALUES:
-                _count(self._groups[name], np.asarray(extra[name])[used])
+                values = np.asarray(extra[name])
+                _count(self._groups[name], values if all_used else values[used])
         if "classification" in extra:
             classes = np.asarray(extra["classification"])
-            for noise in NOISE_CLASSES:
+            largest = int(classes.max(initial=0))
+            for noise in NOISE_CLASSES if largest >= min(NOISE_CLASSES) else ():
                 count = int(np.count_nonzero((classes == noise) & used))
                 if count:
                     self._noise[noise] = self._noise.get(noise, 0) + count
@@ -375,6 +386,10 @@ def _attribute(name: str, time: Array, extra: Mapping[str, NDArray[Any]]) -> NDA
 def _count(found: dict[int, int], values: NDArray[Any]) -> None:
     """Add the numbers of points by value; whole numbers only."""
     if values.ndim != 1 or not len(values):
+        return
+    low, high = values.min(), values.max()
+    if low == high and low == int(low):  # most files have one value, and this is quick to see
+        found[int(low)] = found.get(int(low), 0) + len(values)
         return
     if values.dtype.kind == "f":
         if not (values == np.floor(values)).all():

@@ -15,6 +15,8 @@ KEPT, NOT_FINITE, NO_RANGE, TOO_FAR, DUPLICATE, EXCLUDED = range(6)
 
 WINDOW_SLOTS = 1 << 17
 """Slots of a hash table of recent points; it is cleared when half full."""
+LONGEST_RUN = 64
+"""Points of one time that are compared one by one."""
 GAP_BINS = 200
 """Bins of gaps between distinct times, eight to an octave from `GAP_LEAST`."""
 GAP_LEAST = 1e-4
@@ -104,31 +106,79 @@ def grown(table):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def mark_duplicates(time_bits, xyz_bits, status, tables, fill, threshold, sampled):  # type: ignore[no-untyped-def]
-    """Mark points equal to an earlier one, and collect the hashes below a threshold.
+def _equal_in_run(i, start, tail, time_bits, xyz_bits):  # type: ignore[no-untyped-def]
+    """Whether a point equals one of the same time before it, in this chunk or at its border."""
+    for j in range(i - 1, start - 1, -1):
+        if (
+            xyz_bits[j, 0] == xyz_bits[i, 0]
+            and xyz_bits[j, 1] == xyz_bits[i, 1]
+            and xyz_bits[j, 2] == xyz_bits[i, 2]
+        ):
+            return True
+    if start == 0:
+        for j in range(len(tail)):
+            if (
+                tail[j, 0] == time_bits[i]
+                and tail[j, 1] == xyz_bits[i, 0]
+                and tail[j, 2] == xyz_bits[i, 1]
+                and tail[j, 3] == xyz_bits[i, 2]
+            ):
+                return True
+    return False
 
-    ``tables`` (2, m) are hashes of recent points, the current and the former half; ``fill`` (2,)
-    counts the current one and tells which it is. Returns the numbers of duplicates and of hashes
-    written to ``sampled``.
+
+@njit(nogil=True, cache=True)
+def mark_duplicates(  # type: ignore[no-untyped-def]
+    time, time_bits, xyz_bits, status, latest, tail, tables, fill, threshold, sampled
+):
+    """Mark points equal to an earlier one, and collect the hashes up to a threshold.
+
+    Copies have the same time. While times do not run backward, only the points of the same time
+    just before can be equal; ``tail`` (m, 4) are the last points of the chunk before. Otherwise, or
+    where many points share a time, hashes of recent points are kept in ``tables`` (2, m), the
+    current and the former half. ``fill`` (3,) counts the current one, tells which it is, and
+    whether tables are in use; ``latest`` (1,) is the latest time before. Hashes up to ``threshold``
+    are written to ``sampled``. Returns the numbers of duplicates and of these hashes.
     """
     count = found = 0
     room = tables.shape[1] // 2
+    run, newest = 0, latest[0]
     for i in range(len(status)):
         if status[i] != KEPT:
             continue
+        t = time[i]
+        if fill[2] == 0:
+            if not t <= newest:
+                run, newest = i, t
+            elif t < newest or i - run > LONGEST_RUN:
+                fill[2] = 1
+                for j in range(max(0, i - room + 1), i):
+                    if status[j] == KEPT:
+                        before = xyz_bits[j]
+                        _insert(
+                            tables[fill[1]],
+                            point_hash(time_bits[j], before[0], before[1], before[2]),
+                        )
+                        fill[0] += 1
+            elif _equal_in_run(i, run, tail, time_bits, xyz_bits):
+                status[i] = DUPLICATE
+                found += 1
+                continue
         h = point_hash(time_bits[i], xyz_bits[i, 0], xyz_bits[i, 1], xyz_bits[i, 2])
-        if _contains(tables[fill[1]], h) or _contains(tables[1 - fill[1]], h):
-            status[i] = DUPLICATE
-            found += 1
-            continue
-        if fill[0] == room:
-            fill[0], fill[1] = 0, 1 - fill[1]
-            tables[fill[1]] = 0
-        _insert(tables[fill[1]], h)
-        fill[0] += 1
+        if fill[2] != 0:
+            if _contains(tables[fill[1]], h) or _contains(tables[1 - fill[1]], h):
+                status[i] = DUPLICATE
+                found += 1
+                continue
+            if fill[0] >= room:
+                fill[0], fill[1] = 0, 1 - fill[1]
+                tables[fill[1]] = 0
+            _insert(tables[fill[1]], h)
+            fill[0] += 1
         if h <= threshold:
             sampled[count] = h
             count += 1
+    latest[0] = newest
     return found, count
 
 
