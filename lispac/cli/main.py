@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
+from io import TextIOWrapper
 
 from lispac import caches
 from lispac.cli.console import UsageError
@@ -17,6 +18,9 @@ from lispac.errors import Cancelled, LispacError
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; errors the user can act on become one line on stderr."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # a terminal may lack letters of a name
+            stream.reconfigure(errors="backslashreplace")
     parser = build_parser()
     arguments = parser.parse_args(plain_numbers(sys.argv[1:] if argv is None else argv))
     try:

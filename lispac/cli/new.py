@@ -14,6 +14,7 @@ from lispac.cli.messages import message_numbers, print_messages
 from lispac.cli.sensor_options import pos_sigmas, titles
 from lispac.identity import BLANK
 from lispac.project import LineSource, Reading, Settings
+from lispac.survey.source import printable
 from lispac.workflow import projects
 from lispac.workflow.survey import Survey
 
@@ -74,7 +75,7 @@ def new(arguments: Namespace) -> None:
 
 
 def _named(paths: Iterable[Path]) -> list[tuple[str, Path]]:
-    return [(path.stem, path) for path in paths]
+    return [(printable(path.stem), path) for path in paths]
 
 
 def _notes(survey: Survey) -> None:

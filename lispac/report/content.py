@@ -48,6 +48,7 @@ from lispac.report.values import (
     SightingJudged,
     TargetFit,
 )
+from lispac.survey.source import printable
 from lispac.targets.quality import SightingQuality
 
 __all__ = ["CONVENTION", "ReportContent", "report_content"]
@@ -105,7 +106,7 @@ def report_content(
     lines = tuple(
         Line(
             line.name,
-            line.path.name,
+            printable(line.path.name),
             headings_deg.get(line.name),
             counts.get(line.name),
             tuple((float(n), float(w)) for n, w in track_local.get(line.name, ())),
@@ -174,8 +175,8 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
                 progress(min(1.0, done / size), f"Reading {path.name} for its digest")
     except OSError:
         # The report says so in a warning; what was computed still stands.
-        return InputFile(role, path.name, None, None)
-    return InputFile(role, path.name, size, digest.hexdigest())
+        return InputFile(role, printable(path.name), None, None)
+    return InputFile(role, printable(path.name), size, digest.hexdigest())
 
 
 def _angles(project: Project) -> tuple[Angle, ...]:

@@ -12,6 +12,11 @@ RESTART = "restart"
 """Option of every format of points: where the times of a line start again."""
 
 
+def printable(name: str) -> str:
+    """A file name as text that can be shown and stored: bytes that are not UTF-8 are replaced."""
+    return name.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
 @dataclass(frozen=True)
 class Reading:
     """How a file is read.

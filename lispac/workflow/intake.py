@@ -15,7 +15,7 @@ from lispac.identity import BLANK, Identity
 from lispac.io.project_file import FILE_NAME, is_project_file
 from lispac.io.registry import POSSIBLE, Kind
 from lispac.project import LineSource, Project, Settings
-from lispac.survey.source import USUAL, Reading
+from lispac.survey.source import USUAL, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible
 from lispac.survey.time_quality import Coverage
 from lispac.survey.time_stated import Known
@@ -243,13 +243,13 @@ class Intake:
     @cached_property
     def names(self) -> dict[Path, str]:
         """A name for each line: its file's, with the folder's in front where two are alike."""
-        stems = [entry.path.stem for entry in self.lines]
+        stems = [printable(entry.path.stem) for entry in self.lines]
         stems += [line.name for line in self._known_lines]
         return {
             entry.path: (
-                entry.path.stem
-                if stems.count(entry.path.stem) == 1
-                else f"{entry.path.parent.name}_{entry.path.stem}"
+                printable(entry.path.stem)
+                if stems.count(printable(entry.path.stem)) == 1
+                else printable(f"{entry.path.parent.name}_{entry.path.stem}")
             )
             for entry in self.lines
         }
