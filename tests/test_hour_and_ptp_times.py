@@ -1,0 +1,58 @@
+"""Lines in seconds of the hour (Velodyne) and in TAI (PTP), brought onto the trajectory."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.cli.main import main
+from lispac.survey.time_base import GPS_EPOCH, WEEK
+from lispac.workflow.projects import open_project
+from lispac.workflow.survey import load_survey
+from tests.intake_files import START, fan, write_line, write_survey
+
+COUNT = 2000
+TIMES = START + np.linspace(10, 25, COUNT)
+HOUR = np.mod(TIMES - 18.0, 3600.0)
+TAI = TIMES + 2300 * WEEK + GPS_EPOCH + 19.0
+
+
+def line(path: Path, times: np.ndarray) -> Path:
+    if path.suffix == ".csv":
+        table = np.column_stack([times, fan(len(times))])
+        np.savetxt(path, table, fmt="%.6f", header="time,x,y,z", comments="", delimiter=",")
+        return path
+    return write_line(path, times)
+
+
+@pytest.mark.parametrize("name", ["a.las", "a.csv"])
+@pytest.mark.parametrize(("base", "times"), [("utc-hour", HOUR), ("tai", TAI)])
+def test_a_stated_base_brings_a_line_onto_the_trajectory(
+    tmp_path: Path, name: str, base: str, times: np.ndarray
+) -> None:
+    """The line begins before the full hour of UTC and ends after it."""
+    assert (np.diff(HOUR) < 0).any()
+    folder = write_survey(tmp_path)
+    path = line(folder / name, times)
+    command = [
+        "new", str(tmp_path / "p"), str(path), "--trajectory", str(folder / "pos.sbet"),
+        "--lever-arm", "0", "0", "0", "--line-option", f"time_base={base}",
+        "--trajectory-option", "time=gps-week",
+    ]  # fmt: skip
+    assert main(command) == 0
+    survey = load_survey(open_project(tmp_path / "p"))
+    _, found = survey.scans["a"].take(np.arange(COUNT))
+    np.testing.assert_allclose(found, TIMES, rtol=0, atol=2e-6)
+
+
+def test_the_base_that_fits_is_offered_where_none_is_stated(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = write_survey(tmp_path)
+    path = line(folder / "a.csv", TAI)
+    command = ["new", str(tmp_path / "p"), str(path), "--trajectory", str(folder / "pos.sbet"),
+               "--lever-arm", "0", "0", "0"]  # fmt: skip
+    assert main(command) == 1
+    shift = TIMES[0] - TAI[0]
+    told = capsys.readouterr().err
+    assert f"adding {shift:,.3f} s" in told  # as UTC it would be 37 s off, outside the trajectory
