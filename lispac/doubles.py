@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.doubt import MOST_NAMED, Doubt
 from lispac.adjustment.doubts import doubts
+from lispac.adjustment.shown import listed
 from lispac.causes import RESULT, Cause
 from lispac.message_texts import message_text
-from lispac.messages import Level
+from lispac.messages import Level, Message
 from lispac.picks import PickedSighting, Target
 from lispac.project import Project
 
@@ -158,12 +159,21 @@ def project_doubts(project: Project) -> tuple[Doubt, ...]:
 
 
 def data_warnings(project: Project) -> tuple[Doubt, ...]:
-    """Warnings about the imported files, which apply to every result computed from them."""
-    return tuple(
-        Doubt(message.code, True, message_text(message), message.subject or RESULT)
-        for message in project.data_messages
-        if message.level is not Level.NOTE
-    )
+    """Warnings about the imported files, which apply to every result computed from them.
+
+    Lines with the same warning are named after the first one.
+    """
+    groups: dict[str, list[Message]] = {}
+    for message in project.data_messages:
+        if message.level is not Level.NOTE:
+            groups.setdefault(message.code, []).append(message)
+    found = []
+    for code, (first, *others) in groups.items():
+        text = message_text(first)
+        if lines := [each.subject.name for each in others if each.subject is not None]:
+            text += f" The same applies to {listed(lines)}."
+        found.append(Doubt(code, True, text, first.subject or RESULT))
+    return tuple(found)
 
 
 def _at(found: Overlap) -> Cause:

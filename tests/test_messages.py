@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 from lispac.causes import Cause
+from lispac.doubles import data_warnings
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.values import decoded, encoded
 from lispac.message_texts import TEXTS, MessageFormatter
@@ -40,6 +41,23 @@ def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
     del content["data_messages"]
     path.write_text(json.dumps(content))
     assert read_project(project.folder).data_messages == ()
+
+
+def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
+    messages = tuple(
+        Message(
+            "recovery.unexplained", level, {"line": name, "misfit": 0.05}, Cause.of_line(name)
+        )
+        for name, level in (
+            ("L1", Level.WARNING), ("L2", Level.WARNING), ("L3", Level.WARNING), ("L4", Level.NOTE)
+        )
+    )  # fmt: skip
+    (doubt,) = data_warnings(sample_project(tmp_path / "p").with_data_messages(messages))
+    assert (doubt.code, doubt.serious, doubt.cause) == (
+        "recovery.unexplained", True, Cause.of_line("L1"),
+    )  # fmt: skip
+    assert "L2 and L3" in doubt.text
+    assert "L4" not in doubt.text
 
 
 def test_every_text_names_only_units_that_are_known() -> None:

@@ -5729,4 +5729,11 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : ce nuage a été écrit dans le repère local d&apos;un projet (nord, ouest, haut), ses points ne sont donc pas ceux du scanneur ; écrivez-le dans un système de coordonnées (georeference --crs) pour l&apos;utiliser comme ligne.</translation>
     </message>
 </context>
+<context>
+    <name>several lines</name>
+    <message>
+        <source>The same applies to {lines:list}.</source>
+        <translation>Il en va de même pour {lines}.</translation>
+    </message>
+</context>
 </TS>
