@@ -19,7 +19,14 @@ from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
 from lispac.io.project_file import read_project, write_project
 from lispac.project import Project
+from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content, sample_project
+
+
+def _steep(project: Project) -> Project:
+    assert project.result is not None
+    mounting = Mounting.near(project.result.mounting.lever_arm, np.radians([0.0, -90.0, 0.0]))
+    return replace(project, result=replace(project.result, mounting=mounting))
 
 
 def _wide(project: Project) -> Project:
@@ -142,6 +149,7 @@ CASES = [
     ("high_correlation", False, _told_apart_badly, "Roll and pitch are hardly told apart "
      "(correlation -0.97)"),
     ("independent_pos_errors", True, _model(pos_errors="independent"), "Thesis mode"),
+    ("steep_pitch", False, _steep, "The pitch of the boresight is steep"),
     ("surface_held", False, _model(surface=0.0), "The surface sigma is held at 0"),
     ("released", False, _sighting(released=True, shift=-0.0483, w=-9.34), "the other sightings "
      "contradict it: T1 on line L1 (off by 48.3 mm, w -9.3)."),
