@@ -172,8 +172,17 @@ def data_warnings(project: Project) -> tuple[Doubt, ...]:
         text = message_text(first)
         if lines := [each.subject.name for each in others if each.subject is not None]:
             text += f" The same applies to {listed(lines)}."
-        found.append(Doubt(code, True, text, first.subject or RESULT))
+        effects = [_effect(each) for each in (first, *others)]
+        known = [each for each in effects if each is not None]
+        effect = max(known) if len(known) == len(effects) else None
+        found.append(Doubt(code, True, text, first.subject or RESULT, effect))
     return tuple(found)
+
+
+def _effect(message: Message) -> float | None:
+    """By how much what a message warns of displaces points, metres."""
+    value = message.params.get("shift", message.params.get("misfit"))
+    return float(value) if isinstance(value, int | float) else None
 
 
 def _at(found: Overlap) -> Cause:

@@ -61,8 +61,10 @@ def cloud(
     return np.round(placed / step) * step, time, made
 
 
-def found(points: np.ndarray, time: np.ndarray, recovery: Recovery) -> Message | None:
-    messages = recovery_messages("L1", Sample(points, time), recovery)
+def found(
+    points: np.ndarray, time: np.ndarray, recovery: Recovery, ring: np.ndarray | None = None
+) -> Message | None:
+    messages = recovery_messages("L1", Sample(points, time, ring), recovery)
     assert len(messages) <= 1
     return messages[0] if messages else None
 
@@ -169,6 +171,59 @@ def test_a_scanner_that_is_no_profiler_has_no_message(
     points = beams(rng, len(time)) * rng.uniform(5, 40, len(time))[:, None]
     placed = PointMapper(made.system, made.trajectory, made.mounting).to_map(points, time)
     assert found(placed, time, made) is None
+
+
+def other_scanner(
+    seed: int, kind: str
+) -> tuple[np.ndarray, np.ndarray, Recovery, np.ndarray | None]:
+    """A cloud of a conical or a spinning scanner on the map, its times, and how it was made."""
+    _, time, made = cloud(seed)
+    rng = np.random.default_rng(seed + 50)
+    count, ring = len(time), None
+    if kind == "cone":
+        beams = cone(rng, count)
+        beams /= np.linalg.norm(beams, axis=1)[:, None]
+    else:
+        ring = rng.integers(0, 32, count)
+        elevation = np.radians(np.linspace(-25, 15, 32))[ring]
+        azimuth = rng.uniform(0, 2 * np.pi, count)
+        flat = np.cos(elevation)
+        beams = np.stack(
+            [flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)], axis=1
+        )
+    ranges = rng.uniform(5, 40, count) + rng.normal(0, 0.01, count)
+    mapper = PointMapper(made.system, made.trajectory, made.mounting)
+    return mapper.to_map(beams * ranges[:, None], time), time, made, ring
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", ["cone", "rings"])
+def test_errors_of_other_scanners_are_named(seed: int, kind: str) -> None:
+    points, time, made, ring = other_scanner(seed, kind)
+    assert found(points, time, made, ring) is None
+    raised = points + [0, 0, 28.4]
+    message = found(raised, time, made, ring)
+    assert message is not None
+    assert message.code == "recovery.height_offset"
+    assert message.params["offset"] == pytest.approx(28.4, abs=0.05)
+    late = found(points, time - 18.0, made, ring)
+    assert late is not None
+    assert late.code == "recovery.time_offset"
+    assert late.params["value"] == pytest.approx(18.0, abs=0.01)
+    lever = replace(made.mounting, lever_arm=LEVER + [0.8, 0, 0])
+    wrong = found(points, time, replace(made, mounting=lever), ring)
+    assert wrong is not None
+    assert wrong.code in ("recovery.lever_arm_x", "recovery.several_causes")
+
+
+def test_lasers_are_numbered_over_all_parts_of_a_line() -> None:
+    parts = [
+        Sample(np.zeros((3, 3)), np.zeros(3), np.array(own)) for own in ([7, 9, 9], [12, 7, 9])
+    ]
+    joined = Sample.joined(parts)
+    assert joined.ring is not None
+    assert joined.ring.tolist() == [0, 1, 1, 2, 0, 1]
+    assert Sample.joined([parts[0], replace(parts[1], ring=None)]).ring is None
 
 
 def test_a_profiler_in_any_mounting_is_known() -> None:

@@ -23,12 +23,15 @@ class Doubt:
         One or two sentences, with true minus signs and fixed spaces.
     cause : Cause
         Where to look; the worst place where there are several.
+    effect : float or None, metres
+        By how much what it warns of displaces points, where that is known.
     """
 
     code: str
     serious: bool
     text: str
     cause: Cause = RESULT
+    effect: float | None = None
 
     @property
     def plain(self) -> str:

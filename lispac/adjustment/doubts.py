@@ -9,12 +9,11 @@ from collections.abc import Callable, Iterable, Iterator
 import numpy as np
 
 from lispac.adjustment.doubt import Doubt, some
+from lispac.adjustment.doubts_of_causes import Known, cause_doubts
 from lispac.adjustment.doubts_of_sightings import contradicted, noise, strays
 from lispac.adjustment.observability import one_facing
-from lispac.adjustment.omitted import OF_CONSEQUENCE
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.shown import (
-    amount,
     capitalised,
     listed,
     mm,
@@ -44,8 +43,10 @@ def doubts(
     result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Doubt] = ()
 ) -> tuple[Doubt, ...]:
     """Everything to be told of an answer, serious things first; ``also`` comes from elsewhere."""
-    found = [*also, *(doubt for rule in RULES for doubt in rule(result, checks))]
-    return tuple(sorted(found, key=lambda doubt: not doubt.serious))
+    also = tuple(also)
+    found = [doubt for rule in RULES for doubt in rule(result, checks)]
+    told = (*also, *cause_doubts(result, Known.among(also), found))
+    return tuple(sorted(told, key=lambda doubt: not doubt.serious))
 
 
 def _thesis_mode(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
@@ -57,28 +58,6 @@ def _thesis_mode(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Do
             "neighbouring points share theirs. The sigmas of the angles are several times too "
             "small; choose the correlated model for sigmas to rely on.",
             Cause.of_field("pos_errors"),
-        )
-
-
-def _contradictions(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    """What a wrong lever arm does to the answer passes every other test."""
-    for found in result.contradictions:
-        moves = [
-            f"{angle} by {signed(float(np.degrees(moved)), 3)}\u00a0deg "
-            f"({abs(moved) / sigma:.1f}\u00a0of its sigmas)"
-            for angle, moved, sigma in zip(ANGLES, found.moved, result.sigma, strict=True)
-            if abs(moved) > OF_CONSEQUENCE * sigma
-        ]
-        so = f", which would move {listed(moves)}" if moves else ""
-        larger = "larger" if found.change > 0 else "smaller"
-        yield Doubt(
-            f"contradicted_{found.name}",
-            True,
-            f"The data contradict the stated {parameter(found.name)}: they want it "
-            f"{amount(found.name, abs(found.change))} {larger} "
-            f"(\u00b1\u00a0{amount(found.name, found.sigma)}, w\u00a0{signed(found.w, 1)})"
-            f"{so}. Measure it again, or have it estimated.",
-            Cause.of_parameter(found.name),
         )
 
 
@@ -236,7 +215,6 @@ def _spread(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Doubt]:
 
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], ...] = (
     _thesis_mode,
-    _contradictions,
     _large_sigmas,
     _one_facing,
     _correlations,

@@ -11,7 +11,7 @@ from lispac.adjustment.result import (
     SightingReliability,
     TargetResidual,
 )
-from lispac.adjustment.shown import UNCHECKED, counted, listed, mm, signed, standing, times
+from lispac.adjustment.shown import UNCHECKED, counted, mm, signed, standing, times
 from lispac.causes import Cause
 
 MUCH_NOISE = 2.0
@@ -34,7 +34,7 @@ SHIFTED = 2.0
 
 
 def contradicted(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    """Sightings that the others contradict, left out or not, and lines that jumped."""
+    """Sightings that the others contradict, rejected or not."""
     critical = critical_w(result)
     if critical is None:
         return
@@ -48,16 +48,6 @@ def contradicted(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Do
             f"{'it' if len(released) == 1 else 'them'}: {_named(released)}. Look at the points and "
             "the trajectory there.",
             _worst(released),
-        )
-    if result.suspect_lines:
-        jumped, lines = sorted(result.suspect_lines), {item.sighting.line for _, item in found}
-        yield Doubt(
-            "line_jumped",
-            len(jumped) > MOST_JUMPED * len(lines),
-            f"Every target is off on {'line' if len(jumped) == 1 else 'lines'} {listed(jumped)}: "
-            "the position may have jumped there, targets are mixed up, or a stated value of the "
-            "mounting is wrong.",
-            Cause.of_line(jumped[0]),
         )
     doubtful = [item for finding, item in found if finding == "disagrees"]
     if doubtful:

@@ -206,6 +206,38 @@ class Contradiction:
 
 
 @dataclass(frozen=True, eq=False)
+class CandidateCause:
+    """An error that may be behind residuals that contradict the model.
+
+    Attributes
+    ----------
+    kind : str
+        A value of the mounting other than its angles (`SWITCHED`), ``line_position``,
+        ``line_boresight``, ``sighting_shift`` or ``sighting_surface``.
+    target, line : str
+        Where it is; empty where it is everywhere.
+    size, sigma : ndarray of shape (k,), radians, metres or seconds
+        What the data would add to the stated value; of a line's position north, west, up, of a
+        boresight roll, pitch, yaw, of a surface two tilts (at its border) and the offset.
+    moved : ndarray of shape (3,), radians
+        What roll, pitch, yaw would change by with it.
+    effect : float, metres
+        Root mean square of what it does to the distances of all points from their surfaces.
+    evidence : float
+        Twice the logarithm of the Bayes factor against a model without it.
+    """
+
+    kind: str
+    target: str
+    line: str
+    size: Array
+    sigma: Array
+    moved: Array
+    effect: float
+    evidence: float
+
+
+@dataclass(frozen=True, eq=False)
 class AdjustmentResult:
     """Boresight, its uncertainty, and how well the model fits.
 
@@ -237,6 +269,9 @@ class AdjustmentResult:
         Points that stood out from their sighting and went into no average.
     contradictions : tuple of Contradiction
         Stated values that the data contradict; empty in thesis mode.
+    causes : tuple of tuple of CandidateCause, or None
+        Errors behind residuals that contradict the model, from `candidate_causes`; None in results
+        of earlier versions.
     offset : float or None, metres
         That of their offsets, where the data insist on another one; ``surface`` is that of the
         tilts then.
@@ -265,6 +300,7 @@ class AdjustmentResult:
     left_out: int = 0
     contradictions: tuple[Contradiction, ...] = ()
     offset: float | None = None
+    causes: tuple[tuple[CandidateCause, ...], ...] | None = None
 
     @property
     def surfaces(self) -> Array:

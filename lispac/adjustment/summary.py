@@ -5,6 +5,7 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.candidate_causes import candidate_causes
 from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.observability import observability
 from lispac.adjustment.observations import Observations
@@ -98,6 +99,7 @@ def summary(
         elapsed=time.perf_counter() - started,
         left_out=observations.left_out,
         contradictions=contradictions(linearised) if diagnostics and correlated else (),
+        causes=candidate_causes(linearised) if diagnostics else (),
     )
 
 

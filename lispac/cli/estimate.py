@@ -14,6 +14,7 @@ from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
+    CandidateCause,
     Contradiction,
     CrossChecks,
     SightingReliability,
@@ -229,6 +230,7 @@ def numbers(
         },
         "reliability": [_reliability(item) for item in result.reliability],
         "contradictions": [_contradiction(found) for found in result.contradictions],
+        "causes": [[_cause(each) for each in group] for group in result.causes or ()],
         "suspects": [f"{s.target} on {s.line}" for s in result.suspects],
         "components": {
             c.name: {
@@ -275,6 +277,23 @@ def _contradiction(found: Contradiction) -> dict[str, Any]:
         "w": found.w,
         "moved_deg": _degrees(found.moved),
         "surface_sigma_m": found.surface,
+    }
+
+
+def _cause(cause: CandidateCause) -> dict[str, Any]:
+    factor, unit = STATED.get(cause.kind, (1.0, "m"))
+    if cause.kind == "line_boresight":
+        factor, unit = float(np.degrees(1.0)), "deg"
+    return {
+        "kind": cause.kind,
+        "target": cause.target or None,
+        "line": cause.line or None,
+        "unit": unit,
+        "size": (factor * cause.size).tolist(),
+        "sigma": (factor * cause.sigma).tolist(),
+        "moved_deg": _degrees(cause.moved),
+        "effect_m": cause.effect,
+        "evidence": cause.evidence,
     }
 
 

@@ -137,11 +137,7 @@ def _noise(name: str, audit: LineAudit) -> Iterator[Message]:
 
 def _groups(name: str, audit: LineAudit) -> Iterator[Message]:
     """Scanners or passes that one file holds, by an attribute."""
-    for attribute, counts in audit.groups.items():
-        used = sum(counts.values())
-        large = [value for value, count in counts.items() if count >= FEWEST_OF_GROUP * used]
-        if not 1 < len(large) <= MOST_SCANNERS:
-            continue
+    for attribute, large in _large_groups(audit):
         code = "several_scanners" if attribute in SCANNERS else "several_sources"
         yield Message(
             f"audit.{code}",
@@ -153,6 +149,20 @@ def _groups(name: str, audit: LineAudit) -> Iterator[Message]:
                 *(_option("only", f"{attribute}={value}") for value in large[:2]),
             ),
         )
+
+
+def has_several_scanners(audit: LineAudit) -> bool:
+    """Whether an attribute shows that the points are of more than one scanner."""
+    return any(attribute in SCANNERS for attribute, _ in _large_groups(audit))
+
+
+def _large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
+    """Attributes that divide the points into a few large groups, and their values."""
+    for attribute, counts in audit.groups.items():
+        used = sum(counts.values())
+        large = [value for value, count in counts.items() if count >= FEWEST_OF_GROUP * used]
+        if 1 < len(large) <= MOST_SCANNERS:
+            yield attribute, large
 
 
 def _passes(

@@ -1,13 +1,14 @@
-"""Whether points recovered from a georeferenced cloud lie where a profiler can measure.
+"""Whether points recovered from a georeferenced cloud lie where the scanner can measure.
 
-A wrong height reference, time, lever arm or attitude moves the recovered points off the plane or
-cone of the beams. Where they are off, each of these causes is tried, and the one that brings the
-points back is named with its value.
+That is a plane or a cone for a profiler, and one cone a laser for a spinning scanner. A wrong
+height reference, time, lever arm or attitude moves the recovered points off it. Where they are off,
+each of these causes is tried, and the one that brings the points back is named with its value.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from lispac.causes import Cause
 from lispac.errors import LispacError
 from lispac.messages import Action, Level, Message, Value
 from lispac.survey.recovery import Recovery
-from lispac.survey.scan_geometry import BeamCone, arc_of, fit_cone, fit_plane
+from lispac.survey.scan_geometry import BeamCone, arc_of, fit_cone, fit_cones, fit_plane
 
 Array = NDArray[np.float64]
 
@@ -47,6 +48,9 @@ TIMES = (-37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.05, 0.1, 0.
 """Seconds: leap seconds between time bases, and what latencies come to."""
 LEVERS = np.linspace(-3.0, 3.0, 25)
 """Metres: errors of a lever arm that are tried."""
+RINGS = ("ring", "ring_number", "laser_id", "laser_number", "laser", "beam_id", "channel")
+"""Attributes that number the lasers of a spinning scanner."""
+MOST_RINGS = 256
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,15 +61,43 @@ class Sample:
     ----------
     points_map : ndarray of shape (n, 3), in the unit and axes of the coordinate system
     time : ndarray of shape (n,), seconds, in the trajectory's time base
+    ring : ndarray of shape (n,), int, or None
+        Number of the laser of a spinning scanner, where the file has it.
     """
 
     points_map: Array
     time: Array
+    ring: NDArray[np.int64] | None = None
+
+    @classmethod
+    def joined(cls, parts: Sequence["Sample"]) -> "Sample":
+        """One sample of several parts of a line; their lasers numbered from 0."""
+        points = np.concatenate([each.points_map for each in parts])
+        time = np.concatenate([each.time for each in parts])
+        rings = [each.ring for each in parts if each.ring is not None]
+        if len(rings) < len(parts):
+            return cls(points, time)
+        values, ring = np.unique(np.concatenate(rings), return_inverse=True)
+        if not 1 < len(values) <= MOST_RINGS:
+            return cls(points, time)
+        return cls(points, time, ring.astype(np.int64))
+
+    def where(self, chosen: NDArray[np.bool_] | slice) -> "Sample":
+        """Some of the points."""
+        ring = None if self.ring is None else self.ring[chosen]
+        return Sample(self.points_map[chosen], self.time[chosen], ring)
 
     def thinned(self, most: int) -> "Sample":
         """At most ``most`` of the points, spread evenly."""
-        step = max(1, -(-len(self.time) // most))
-        return Sample(self.points_map[::step], self.time[::step])
+        return self.where(slice(None, None, max(1, -(-len(self.time) // most))))
+
+
+def ring_of(attributes: Mapping[str, NDArray[Any]]) -> NDArray[np.int64] | None:
+    """Number of each point's laser, shape (n,), where the attributes of a file have it."""
+    for name in RINGS:
+        if name in attributes and np.issubdtype(attributes[name].dtype, np.integer):
+            return np.asarray(attributes[name], dtype=np.int64)
+    return None
 
 
 @dataclass(frozen=True)
@@ -101,15 +133,18 @@ def recovery_messages(name: str, sample: Sample, recovery: Recovery) -> tuple[Me
     sample = sample.thinned(MOST_POINTS)
     if len(sample.time) < FEWEST_POINTS:
         return ()
-    points = _recovered(sample, recovery)
-    if points is None:
+    found = _recovered(sample, recovery)
+    if found is None:
         return ()
-    cone = fit_plane(points)
+    points = found.points
+    shapes = tuple(_shapes(found))
+    fitted = [shape(found) for shape in shapes]
     distance = float(np.median(np.linalg.norm(points, axis=1)))
     allowed = MISFIT_ALLOWED + MISFIT_ANGLE * distance
-    if cone.misfit <= allowed:
-        turn = float(np.arccos(min(1.0, np.abs(cone.axis).max())))
-        if turn < LARGEST_TURN or cone.misfit > TURN_MISFIT * arc_of(points) * distance:
+    first = fitted[0]
+    if found.ring is None and first.misfit <= allowed:
+        turn = float(np.arccos(min(1.0, np.abs(first.axis).max())))
+        if turn < LARGEST_TURN or first.misfit > TURN_MISFIT * arc_of(points) * distance:
             return ()
         return (
             Message(
@@ -117,23 +152,68 @@ def recovery_messages(name: str, sample: Sample, recovery: Recovery) -> tuple[Me
                 Cause.of_line(name),
             ),
         )  # fmt: skip
-    if arc_of(points) > SMALLEST_ARC and fit_cone(points).misfit <= allowed:
-        return ()  # a scanner with a conical mirror
-    tried = sorted(_explanations(sample, recovery, points), key=lambda each: each.misfit)
-    fitting = [
-        each for each in tried
-        if each.misfit <= min(cone.misfit / BETTER, max(allowed, CLEARLY * tried[0].misfit))
-    ]  # fmt: skip
-    if not fitting:
-        if cone.misfit > PROFILER * distance:
-            return ()  # a scanner of another kind
-        return (_message(name, "recovery.unexplained", cone, None),)
+    if any(each.misfit <= allowed for each in fitted):
+        return ()
+    for shape, cone in zip(shapes, fitted, strict=True):
+        tried = sorted(_explanations(sample, recovery, found, shape), key=lambda each: each.misfit)
+        # A cone has more freedom than a plane: it has to be met within what is allowed.
+        most = max(allowed, CLEARLY * tried[0].misfit) if shape is _plane else allowed
+        fitting = [each for each in tried if each.misfit <= min(cone.misfit / BETTER, most)]
+        if fitting:
+            return (_named(name, cone, fitting),)
+    if found.ring is None and first.misfit > PROFILER * distance:
+        return ()  # a scanner of another kind
+    return (_message(name, "recovery.unexplained", first, None),)
+
+
+def _named(name: str, cone: BeamCone, fitting: list[Explanation]) -> Message:
+    """The message that names the causes that fit, the best first."""
     best = fitting[0]
     rivals = [each for each in fitting[1:] if each.misfit < CLEARLY * best.misfit]
     if rivals:
         causes = tuple(TITLES[each.cause] for each in (best, *rivals))
-        return (_message(name, "recovery.several_causes", cone, best, {"causes": causes}),)
-    return (_message(name, f"recovery.{best.cause}", cone, best),)
+        return _message(name, "recovery.several_causes", cone, best, {"causes": causes})
+    return _message(name, f"recovery.{best.cause}", cone, best)
+
+
+@dataclass(frozen=True, eq=False)
+class _Recovered:
+    """Points of a sample in the LiDAR frame.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 3), metres
+    ring : ndarray of shape (n,), int, or None
+    """
+
+    points: Array
+    ring: NDArray[np.int64] | None
+
+
+Shape = Callable[[_Recovered], BeamCone]
+
+
+def _plane(found: _Recovered) -> BeamCone:
+    return fit_plane(found.points)
+
+
+def _cone(found: _Recovered) -> BeamCone:
+    return fit_cone(found.points)
+
+
+def _cones(found: _Recovered) -> BeamCone:
+    assert found.ring is not None
+    return fit_cones(found.points, found.ring)
+
+
+def _shapes(found: _Recovered) -> Iterator[Shape]:
+    """Shapes that the beams can have."""
+    if found.ring is not None:
+        yield _cones
+        return
+    yield _plane
+    if arc_of(found.points) > SMALLEST_ARC:
+        yield _cone  # a conical mirror
 
 
 TITLES = {
@@ -158,21 +238,28 @@ def _message(
     return Message(code, Level.WARNING, params, Cause.of_line(name), actions)
 
 
-def _explanations(sample: Sample, recovery: Recovery, points: Array) -> Iterator[Explanation]:
+def _explanations(
+    sample: Sample, recovery: Recovery, found: _Recovered, shape: Shape
+) -> Iterator[Explanation]:
     """Each cause with its best value."""
+    points = found.points
     metre = recovery.system.metres[2]
     raised = replace(sample, points_map=sample.points_map + np.array([0.0, 0.0, 1.0 / metre]))
     up = _recovered(raised, recovery)
-    if up is not None and len(up) == len(points):
+    if up is not None and len(up.points) == len(points):
         # A shift of the map moves recovered points in proportion.
-        yield _best("height_offset", HEIGHTS, lambda value: points + value * (up - points))
+        per_metre = up.points - points
+        yield _best(
+            "height_offset", HEIGHTS,
+            lambda value: replace(found, points=points + value * per_metre), shape,
+        )  # fmt: skip
     # An error of the lever arm moves all points of the LiDAR frame alike.
     for axis, title in enumerate("xyz"):
         along = recovery.mounting.rotation_body_lidar[axis]  # in the LiDAR frame
-        yield _best(f"lever_arm_{title}", LEVERS, partial(_shifted, points, along))
+        yield _best(f"lever_arm_{title}", LEVERS, partial(_shifted, found, along), shape)
     yield _best(
         "time_offset", np.array(TIMES),
-        lambda value: _recovered(replace(sample, time=sample.time + value), recovery),
+        lambda value: _recovered(replace(sample, time=sample.time + value), recovery), shape,
     )  # fmt: skip
     for cause, signs in (
         ("roll_sign", (-1, 1, 1)), ("pitch_sign", (1, -1, 1)), ("roll_pitch_signs", (-1, -1, 1)),
@@ -182,19 +269,21 @@ def _explanations(sample: Sample, recovery: Recovery, points: Array) -> Iterator
         other = replace(recovery, trajectory=turned)
         moved = _recovered(sample, other)
         if moved is not None:
-            yield Explanation(cause, 0.0, fit_plane(moved).misfit)
+            yield Explanation(cause, 0.0, shape(moved).misfit)
 
 
-def _shifted(points: Array, along: Array, value: float) -> Array:
-    return points - value * along
+def _shifted(found: _Recovered, along: Array, value: float) -> _Recovered:
+    return replace(found, points=found.points - value * along)
 
 
-def _best(cause: str, values: Array, moved: Callable[[float], Array | None]) -> Explanation:
+def _best(
+    cause: str, values: Array, moved: Callable[[float], _Recovered | None], shape: Shape
+) -> Explanation:
     """The value with the smallest misfit, refined about the best of some."""
 
     def misfit(value: float) -> float:
-        points = moved(value)
-        return np.inf if points is None else fit_plane(points).misfit
+        found = moved(value)
+        return np.inf if found is None else shape(found).misfit
 
     found = np.array([misfit(float(value)) for value in values])
     k = int(found.argmin())
@@ -215,16 +304,18 @@ REFINEMENTS = 16
 """Steps of the refinement, each of which narrows the interval to two thirds."""
 
 
-def _recovered(sample: Sample, recovery: Recovery) -> Array | None:
-    """Points with a pose in the LiDAR frame, shape (n, 3), metres; None where there are few."""
+def _recovered(sample: Sample, recovery: Recovery) -> _Recovered | None:
+    """Points with a pose in the LiDAR frame; None where there are few."""
     usable = recovery.usable(sample.time)
     if np.count_nonzero(usable) < FEWEST_POINTS:
         return None
+    sample = sample.where(usable)
     try:
         points = recovery.mapping.to_scanner(
-            sample.points_map[usable], sample.time[usable], threads=1, strict=False
+            sample.points_map, sample.time, threads=1, strict=False
         )
     except LispacError:
         return None
     ranges = np.linalg.norm(points, axis=1)
-    return np.asarray(points[np.isfinite(ranges) & (ranges > 0)])
+    kept = np.isfinite(ranges) & (ranges > 0)
+    return _Recovered(points[kept], None if sample.ring is None else sample.ring[kept])

@@ -1,7 +1,8 @@
-"""The shape of a scanner's beams: a plane or a cone through the optical centre.
+"""The shape of a scanner's beams: a plane, a cone or several cones through the optical centre.
 
-The beams of a profiler lie in a plane or on a cone about the axis of its mirror; points that were
-recovered rightly from a georeferenced cloud lie there as well, whatever their noise in range.
+The beams of a profiler lie in a plane or on a cone about the axis of its mirror, those of each
+laser of a spinning scanner on a cone about the common axis. Points that were recovered rightly from
+a georeferenced cloud lie there as well, whatever their noise in range.
 """
 
 from dataclasses import dataclass
@@ -21,21 +22,21 @@ NORMAL = 1.4826
 
 @dataclass(frozen=True, eq=False)
 class BeamCone:
-    """A plane or cone through the optical centre that the points of a profiler lie on.
+    """A plane, a cone or several cones through the optical centre that points lie on.
 
-    A point p lies on it where ``axis . p = cosine |p|``; a plane has the cosine 0.
+    A point p lies on a cone where ``axis . p = cosine |p|``; a plane has the cosine 0.
 
     Attributes
     ----------
     axis : ndarray of shape (3,), no unit, LiDAR frame
-    cosine : float, no unit
-        Of the angle between axis and beams.
+    cosines : ndarray of shape (rings,), no unit
+        Of the angle between axis and beams; one for a plane or a single cone.
     misfit : float, metres
-        Robust standard deviation of the points from the plane or cone.
+        Robust standard deviation of the points from the plane or their cone.
     """
 
     axis: Array
-    cosine: float
+    cosines: Array
     misfit: float
 
 
@@ -47,7 +48,7 @@ def fit_plane(points_lidar: Array) -> BeamCone:
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
         At least ten, none in the optical centre.
     """
-    return _fitted(points_lidar, cone=False)
+    return _fitted(points_lidar, None)
 
 
 def fit_cone(points_lidar: Array) -> BeamCone:
@@ -61,7 +62,20 @@ def fit_cone(points_lidar: Array) -> BeamCone:
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
         At least ten, none in the optical centre.
     """
-    return _fitted(points_lidar, cone=True)
+    return _fitted(points_lidar, np.zeros(len(points_lidar), dtype=np.int64))
+
+
+def fit_cones(points_lidar: Array, ring: NDArray[np.int64]) -> BeamCone:
+    """Fit one cone a ring with a common axis and the apex in the optical centre.
+
+    Parameters
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+        At least ten, none in the optical centre.
+    ring : ndarray of shape (n,), int
+        Number of the laser, from 0.
+    """
+    return _fitted(points_lidar, ring)
 
 
 def arc_of(points_lidar: Array) -> float:
@@ -75,16 +89,24 @@ def arc_of(points_lidar: Array) -> float:
     return float(np.sqrt(np.linalg.eigvalsh(np.cov(directions.T))[-1]))
 
 
-def _fitted(points_lidar: Array, *, cone: bool) -> BeamCone:
+def _fitted(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
     ranges = np.linalg.norm(points_lidar, axis=1)
     kept = np.ones(len(points_lidar), dtype=bool)
-    axis, cosine, misfits = np.zeros(3), 0.0, ranges
+    axis, cosines, misfits = np.zeros(3), np.zeros(1), ranges
+    own = np.zeros(len(points_lidar), dtype=np.int64) if ring is None else ring
+    rings = int(own.max()) + 1
     for _ in range(ROUNDS):
-        points, r = points_lidar[kept], ranges[kept]
-        mean = (r @ points) / (r @ r) if cone else np.zeros(3)
-        off = points - np.outer(r, mean)
+        points, r, laser = points_lidar[kept], ranges[kept], own[kept]
+        means = np.zeros((rings, 3))
+        if ring is not None:
+            # The best cosine of each ring for any axis, in closed form
+            squares = np.bincount(laser, r**2, rings)
+            for k in range(3):
+                sums = np.bincount(laser, r * points[:, k], rings)
+                means[:, k] = sums / np.where(squares > 0, squares, 1.0)
+        off = points - r[:, None] * means[laser]
         axis = np.linalg.eigh(off.T @ off)[1][:, 0]
-        cosine = float(mean @ axis)
-        misfits = np.abs(points_lidar @ axis - cosine * ranges)
+        cosines = means @ axis
+        misfits = np.abs(points_lidar @ axis - cosines[own] * ranges)
         kept = misfits <= np.quantile(misfits, KEPT)
-    return BeamCone(axis, cosine, float(NORMAL * np.median(misfits)))
+    return BeamCone(axis, cosines, float(NORMAL * np.median(misfits)))

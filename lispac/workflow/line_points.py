@@ -17,10 +17,11 @@ from lispac.io.points import require_times, system_of
 from lispac.io.registry import Choice, PointChunk
 from lispac.messages import Message
 from lispac.project import LineSource
+from lispac.survey.audit_messages import has_several_scanners
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.line_audit import LineAudit
 from lispac.survey.recovery import Recovery, require_scanner_frame
-from lispac.survey.recovery_check import Sample, recovery_messages
+from lispac.survey.recovery_check import Sample, recovery_messages, ring_of
 from lispac.survey.scan import Scan
 from lispac.survey.screening import PointScreen, PointSelection
 from lispac.survey.store.pieces import Piece
@@ -146,10 +147,9 @@ class LinePoints:
         """Messages about how a georeferenced line is recovered; none for other lines."""
         if self.recovery is None or not self._samples:
             return ()
-        whole = Sample(
-            np.concatenate([each.points_map for each in self._samples]),
-            np.concatenate([each.time for each in self._samples]),
-        )
+        if has_several_scanners(self.audit):
+            return ()  # one mounting does not fit them; the audit says so
+        whole = Sample.joined(self._samples)
         return recovery_messages(self.line.name, whole, self.recovery)
 
     @property
@@ -178,7 +178,7 @@ class LinePoints:
         used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._with_pose(time)
         points = chunk.xyz if used.all() else chunk.xyz[used]
         if self.recovery is not None:
-            self._keep_sample(points, time[used])
+            self._keep_sample(points, time[used], used, chunk.extra)
             points = self.recovery.points_lidar(points, time[used])
             near = self._screen.screen_recovered(points)
             if not near.all():
@@ -191,11 +191,18 @@ class LinePoints:
             time, index = time[used], index[used]
         return Piece(points, time, index, extra, read, chunk.total)
 
-    def _keep_sample(self, points_map: Array, time: Array) -> None:
+    def _keep_sample(
+        self, points_map: Array, time: Array, used: NDArray[np.bool_],
+        attributes: Mapping[str, NDArray[Any]],
+    ) -> None:  # fmt: skip
         """Keep some points of a georeferenced line, to check how they are recovered."""
-        step = 1 + len(time) // SAMPLE_OF_CHUNK
-        if len(self._samples) < MOST_SAMPLES:
-            self._samples.append(Sample(points_map[::step].copy(), time[::step].copy()))
+        if len(self._samples) >= MOST_SAMPLES:
+            return
+        step = slice(None, None, 1 + len(time) // SAMPLE_OF_CHUNK)
+        ring = ring_of(attributes)
+        if ring is not None:
+            ring = ring[used][step].copy()
+        self._samples.append(Sample(points_map[step].copy(), time[step].copy(), ring))
 
     def _with_pose(self, time: Array) -> NDArray[np.bool_]:
         """Which times (n,), in the trajectory's time base, have a pose; the others are counted."""

@@ -5583,44 +5583,44 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 <context>
     <name>recovery of a line</name>
     <message>
-        <source>{line:kept}: the heights are {offset:n} m above those of the trajectory, as with heights above sea level and an ellipsoidal trajectory. The recovered points do not lie in the scan plane (off by {misfit:n} mm), and the angles will be wrong. Give the height system, or {value:n} m to be added.</source>
-        <translation>{line} : les hauteurs dépassent de {offset} m celles de la trajectoire, comme des altitudes avec une trajectoire ellipsoïdale. Les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm), et les angles seront faux. Indiquez le système d&apos;altitude, ou {value} m à ajouter.</translation>
+        <source>{line:kept}: the heights are {offset:n} m above those of the trajectory, as with heights above sea level and an ellipsoidal trajectory. The recovered points do not lie on the beams of the scanner (off by {misfit:n} mm), and the angles will be wrong. Give the height system, or {value:n} m to be added.</source>
+        <translation>{line} : les hauteurs dépassent de {offset} m celles de la trajectoire, comme des altitudes avec une trajectoire ellipsoïdale. Les points reconstitués ne se trouvent pas sur les faisceaux du scanner (écart {misfit} mm), et les angles seront faux. Indiquez le système d&apos;altitude, ou {value} m à ajouter.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with {value:n} s added to their times. The recovered points are off by {misfit:n} mm, and the angles will be wrong. Check the time base of the line.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} s ajoutées à leurs temps. Les points reconstitués s&apos;en écartent de {misfit} mm, et les angles seront faux. Vérifiez la base de temps de la ligne.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with {value:n} s added to their times. The recovered points are off by {misfit:n} mm, and the angles will be wrong. Check the time base of the line.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec {value} s ajoutées à leurs temps. Les points reconstitués s&apos;en écartent de {misfit} mm, et les angles seront faux. Vérifiez la base de temps de la ligne.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with {value:n} m added to the lever arm forward. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} m ajoutés au bras de levier vers l&apos;avant. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with {value:n} m added to the lever arm forward. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec {value} m ajoutés au bras de levier vers l&apos;avant. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with {value:n} m added to the lever arm to the left. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} m ajoutés au bras de levier vers la gauche. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with {value:n} m added to the lever arm to the left. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec {value} m ajoutés au bras de levier vers la gauche. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with {value:n} m added to the lever arm up. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec {value} m ajoutés au bras de levier vers le haut. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with {value:n} m added to the lever arm up. The cloud was made with another lever arm (recovered points are off by {misfit:n} mm). Give the lever arm that made the cloud.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec {value} m ajoutés au bras de levier vers le haut. Le nuage a été calculé avec un autre bras de levier (écart {misfit} mm). Indiquez celui qui a servi au nuage.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with the opposite sign of roll (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec le signe opposé du roulis (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with the opposite sign of roll (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec le signe opposé du roulis (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with the opposite sign of pitch (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec le signe opposé du tangage (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with the opposite sign of pitch (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec le signe opposé du tangage (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
     </message>
     <message>
-        <source>{line:kept}: the points fit the scan plane only with the opposite signs of roll and pitch (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
-        <translation>{line} : les points ne sont dans le plan de balayage qu&apos;avec les signes opposés du roulis et du tangage (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
+        <source>{line:kept}: the points fit the beams of the scanner only with the opposite signs of roll and pitch (off by {misfit:n} mm otherwise). The angles will be wrong. Check the signs of the trajectory.</source>
+        <translation>{line} : les points ne sont sur les faisceaux du scanner qu&apos;avec les signes opposés du roulis et du tangage (sinon écart {misfit} mm). Les angles seront faux. Vérifiez les signes de la trajectoire.</translation>
     </message>
     <message>
-        <source>{line:kept}: the recovered points do not lie in the scan plane (off by {misfit:n} mm), and the angles will be wrong. Several causes explain it: {causes:list}. Check them.</source>
-        <translation>{line} : les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm), et les angles seront faux. Plusieurs causes l&apos;expliquent : {causes}. Vérifiez-les.</translation>
+        <source>{line:kept}: the recovered points do not lie on the beams of the scanner (off by {misfit:n} mm), and the angles will be wrong. Several causes explain it: {causes:list}. Check them.</source>
+        <translation>{line} : les points reconstitués ne se trouvent pas sur les faisceaux du scanner (écart {misfit} mm), et les angles seront faux. Plusieurs causes l&apos;expliquent : {causes}. Vérifiez-les.</translation>
     </message>
     <message>
-        <source>{line:kept}: the recovered points do not lie in the scan plane (off by {misfit:n} mm). No single error of heights, time, lever arm or signs explains it: the cloud may have been made with another trajectory, or adjusted. The angles may be wrong.</source>
-        <translation>{line} : les points reconstitués ne se trouvent pas dans le plan de balayage (écart {misfit} mm). Aucune erreur isolée de hauteur, de temps, de bras de levier ou de signe ne l&apos;explique : le nuage a pu être calculé avec une autre trajectoire, ou compensé. Les angles peuvent être faux.</translation>
+        <source>{line:kept}: the recovered points do not lie on the beams of the scanner (off by {misfit:n} mm). No single error of heights, time, lever arm or signs explains it: the cloud may have been made with another trajectory, or adjusted. The angles may be wrong.</source>
+        <translation>{line} : les points reconstitués ne se trouvent pas sur les faisceaux du scanner (écart {misfit} mm). Aucune erreur isolée de hauteur, de temps, de bras de levier ou de signe ne l&apos;explique : le nuage a pu être calculé avec une autre trajectoire, ou compensé. Les angles peuvent être faux.</translation>
     </message>
     <message>
         <source>{line:kept}: the recovered beams lie in a plane turned by {turn:n} deg from the axes of the scanner. If the scanner measures along its axes, the cloud was made with another boresight than the prior one. Give that boresight as the prior.</source>

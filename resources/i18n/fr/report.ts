@@ -2197,6 +2197,114 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>Écartées de la réponse, parce que les autres vues les contredisent : {sightings}. Examinez-y les points et la trajectoire.</translation>
     </message>
     <message>
+        <source>Line {line} fits another boresight than the other lines (roll {roll:n} deg, pitch {pitch:n} deg and yaw {yaw:n} deg): it may be of a second scanner, or the mounting moved. Calibrate it apart from the others, or exclude it.</source>
+        <translation>La ligne {line} demande d&apos;autres angles de visée que les autres lignes (roulis {roll}°, tangage {pitch}° et lacet {yaw}°) : elle peut provenir d&apos;un second scanner, ou le montage a bougé. Calibrez-la séparément ou excluez-la.</translation>
+    </message>
+    <message>
+        <source>The position on line {line} is off by {n:n} mm. Look at the trajectory there, or exclude the line.</source>
+        <translation>La position sur la ligne {line} est décalée de {n} mm. Examinez-y la trajectoire ou excluez la ligne.</translation>
+    </message>
+    <message>
+        <source>The residuals contradict the model, and the likeliest cause is {cause}. Look at the points and the trajectory there.</source>
+        <translation>Les résidus contredisent le modèle, et la cause la plus probable est la suivante : {cause}. Examinez-y les points et la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The residuals contradict the model. These causes explain them about equally well, the first one best: {causes:list}. Check each of them.</source>
+        <translation>Les résidus contredisent le modèle. Ces causes les expliquent à peu près aussi bien, la première le mieux : {causes}. Vérifiez chacune d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>The residuals contradict the model, which is explained by {known}: see the warning about it. Correct the data first.</source>
+        <translation>Les résidus contredisent le modèle, ce qu&apos;explique la cause suivante : {known} (voir son avertissement). Corrigez d&apos;abord les données.</translation>
+    </message>
+    <message>
+        <source>The residuals contradict the model, which is explained by {known}: see the warning about it. Without it they would be explained by: {causes:list}. Correct the data first.</source>
+        <translation>Les résidus contredisent le modèle, ce qu&apos;explique la cause suivante : {known} (voir son avertissement). Sans elle, ils s&apos;expliqueraient par : {causes}. Corrigez d&apos;abord les données.</translation>
+    </message>
+    <message>
+        <source>lever arm {axis:kept} {n:n} m larger</source>
+        <translation>bras de levier {axis} plus grand de {n} m</translation>
+    </message>
+    <message>
+        <source>lever arm {axis:kept} {n:n} m smaller</source>
+        <translation>bras de levier {axis} plus petit de {n} m</translation>
+    </message>
+    <message>
+        <source>range offset {n:n} m larger</source>
+        <translation>décalage de distance plus grand de {n} m</translation>
+    </message>
+    <message>
+        <source>range offset {n:n} m smaller</source>
+        <translation>décalage de distance plus petit de {n} m</translation>
+    </message>
+    <message>
+        <source>scan-angle offset {n:n} deg larger</source>
+        <translation>décalage de l&apos;angle de balayage plus grand de {n}°</translation>
+    </message>
+    <message>
+        <source>scan-angle offset {n:n} deg smaller</source>
+        <translation>décalage de l&apos;angle de balayage plus petit de {n}°</translation>
+    </message>
+    <message>
+        <source>latency {n:n} ms larger</source>
+        <translation>latence plus grande de {n} ms</translation>
+    </message>
+    <message>
+        <source>latency {n:n} ms smaller</source>
+        <translation>latence plus petite de {n} ms</translation>
+    </message>
+    <message>
+        <source>another boresight of line {line}</source>
+        <translation>autres angles de visée de la ligne {line}</translation>
+    </message>
+    <message>
+        <source>position on line {line} off by {n:n} mm</source>
+        <translation>position sur la ligne {line} décalée de {n} mm</translation>
+    </message>
+    <message>
+        <source>target {target:kept} off by {n:n} mm on line {line:kept}</source>
+        <translation>cible {target} décalée de {n} mm sur la ligne {line}</translation>
+    </message>
+    <message>
+        <source>another surface under {target} on line {line}</source>
+        <translation>une autre surface à la place de {target} sur la ligne {line}</translation>
+    </message>
+    <message>
+        <source>points of several scanners in one line</source>
+        <translation>points de plusieurs scanners dans une même ligne</translation>
+    </message>
+    <message>
+        <source>points of several sources in one line</source>
+        <translation>points de plusieurs sources dans une même ligne</translation>
+    </message>
+    <message>
+        <source>coarse point times</source>
+        <translation>temps des points trop grossiers</translation>
+    </message>
+    <message>
+        <source>an offset of the heights</source>
+        <translation>un décalage des hauteurs</translation>
+    </message>
+    <message>
+        <source>an offset of the point times</source>
+        <translation>un décalage des temps des points</translation>
+    </message>
+    <message>
+        <source>another lever arm behind the cloud</source>
+        <translation>un autre bras de levier à l&apos;origine du nuage</translation>
+    </message>
+    <message>
+        <source>a wrong sign of the attitude</source>
+        <translation>un signe d&apos;attitude faux</translation>
+    </message>
+    <message>
+        <source>points that do not lie where the scanner measures</source>
+        <translation>des points situés là où le scanner ne mesure pas</translation>
+    </message>
+    <message>
+        <source>a trajectory with too few states</source>
+        <translation>une trajectoire trop peu dense</translation>
+    </message>
+    <message>
         <source>Every target is off on line {line}: the position may have jumped there, targets are mixed up, or a stated value of the mounting is wrong.</source>
         <translation>Toutes les cibles sont décalées sur la ligne {line} : la position peut y avoir sauté, des cibles peuvent être confondues, ou une valeur déclarée du montage est fausse.</translation>
     </message>

@@ -1,0 +1,373 @@
+"""Comparison of the errors that may be behind residuals that contradict the model.
+
+Each candidate is an error of one kind in one place: a component of the lever arm, the latency, the
+position on one line, another boresight on one line, one sighting. It adds unknowns to the
+adjustment, with a normal prior whose standard deviation is the size that such errors have. The
+evidence for it is twice the logarithm of its Bayes factor against a model without any error (Kass
+and Raftery 1995), with the sigma of the surfaces at its most likely value for each candidate: a
+wrong lever arm makes surfaces seem to differ, and would hide behind that.
+
+The unknowns of all candidates are eliminated together, so that the cost is that of a few solutions
+of the normal equations.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.banded import forward
+from lispac.adjustment.components import LARGEST_SURFACE
+from lispac.adjustment.normal import columns_basis
+from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.result import CandidateCause
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+PRIOR_SIGMA = {
+    "lever_x": 0.1, "lever_y": 0.1, "lever_z": 0.1, "range_offset": 0.1,
+    "scan_angle_offset": float(np.radians(0.5)), "latency": 0.02, "line_position": 0.2,
+    "line_boresight": float(np.radians(1.0)), "sighting_shift": 0.2, "sighting_surface": 0.2,
+}  # fmt: skip
+"""Metres, radians or seconds: size that an error of each kind has where it occurs. The evidence
+depends on its logarithm alone."""
+CLEARLY = 6.0
+"""Twice the logarithm of the Bayes factor from which a candidate is clearly better than another: 20
+to 1, "strong" by Kass and Raftery (1995)."""
+ENOUGH = 10.0
+"""That from which there is another error besides those found: 150 to 1, "very strong"."""
+MOST_CAUSES = 3
+"""Errors that are sought one after the other."""
+MOST_NAMED = 4
+"""Candidates named for one error."""
+SMALLEST_SURFACE, STEPS = 1e-4, 13
+"""Metres, and number of sigmas of the surfaces that are tried from there to `LARGEST_SURFACE`."""
+AXES = 3
+
+
+def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...], ...]:
+    """Errors behind the residuals, the most evident first.
+
+    Parameters
+    ----------
+    linearised : Linearised
+        Of the correlated model, at its solution. Rejected sightings take part: an error of the
+        sighting is one of the candidates.
+
+    Returns
+    -------
+    tuple of tuple of CandidateCause
+        One tuple an error: its best candidate, followed by those that are not clearly worse. Empty
+        where nothing needs an explanation.
+    """
+    problem = linearised.problem
+    if not (problem.model.correlated and problem.layout.surfaces):
+        return ()
+    equations = _Equations.of(linearised)
+    solutions = [equations.solved(sigma) for sigma in _surface_sigmas(problem)]
+    found: list[tuple[CandidateCause, ...]] = []
+    given: tuple[_Candidate, ...] = ()
+    moved = np.zeros(AXES)
+    while len(found) < MOST_CAUSES:
+        without = max(each.likelihood(given) for each in solutions)
+        judged = [
+            (evidence - without, solution, each)
+            for each in equations.candidates
+            if each.apart_from(given)
+            for evidence, solution in [_likeliest(solutions, (*given, each))]
+        ]
+        judged.sort(key=lambda item: -item[0])
+        if not judged or judged[0][0] < ENOUGH:
+            break
+        fitting = [item for item in judged if judged[0][0] - item[0] < CLEARLY]
+        found.append(
+            tuple(
+                solution.cause((*given, each), evidence, moved)
+                for evidence, solution, each in fitting[:MOST_NAMED]
+            )
+        )
+        given = (*given, judged[0][2])
+        moved = judged[0][1].angles_with(given)
+    return tuple(found)
+
+
+def _likeliest(
+    solutions: Sequence["_Solution"], errors: tuple["_Candidate", ...]
+) -> tuple[float, "_Solution"]:
+    """Twice the log likelihood with some errors, and the sigma of surfaces where it is largest."""
+    best = max(solutions, key=lambda each: each.likelihood(errors))
+    return best.likelihood(errors), best
+
+
+def _surface_sigmas(problem: Problem) -> Iterator[Array]:
+    """Sigmas of tilts and offsets to be tried, each of shape (3,), metres."""
+    usual = problem.usual_surface
+    if problem.model.surface is not None:
+        yield usual
+        return
+    for sigma in np.geomspace(SMALLEST_SURFACE, LARGEST_SURFACE, STEPS):
+        yield np.full(AXES, sigma)
+        if problem.has_own_offsets:
+            yield np.array([*usual[:2], sigma])
+
+
+@dataclass(frozen=True, eq=False)
+class _Candidate:
+    """An error and the columns of its unknowns among those of all candidates."""
+
+    kind: str
+    target: str
+    line: str
+    columns: Indices
+    share: float
+    """Of the candidates of its kind: each place is as likely as any other."""
+
+    @property
+    def scale(self) -> Array:
+        """Prior standard deviation of each unknown, shape (k,)."""
+        return np.full(len(self.columns), PRIOR_SIGMA[self.kind])
+
+    def apart_from(self, others: Sequence["_Candidate"]) -> bool:
+        """Whether it has unknowns of its own."""
+        return not any(np.isin(self.columns, other.columns).any() for other in others)
+
+
+@dataclass(frozen=True, eq=False)
+class _Equations:
+    """Normal equations of all candidates, the POS error eliminated, without the surfaces' prior.
+
+    Attributes
+    ----------
+    matrix, right : ndarray of shape (n, n) and (n,)
+    base : ndarray of shape (b,), int
+        Unknowns of the model without any error; the surfaces come last.
+    errors : ndarray of shape (c,), int
+        Where the candidates' columns are. Those of sightings are the surfaces' own.
+    departures : ndarray of shape (surfaces,), metres
+        As in `Linearised`.
+    effect : ndarray of shape (c, c)
+        Mean square of the misclosures, by the candidates' unknowns.
+    """
+
+    matrix: Array
+    right: Array
+    base: Indices
+    errors: Indices
+    departures: Array
+    effect: Array
+    candidates: tuple[_Candidate, ...]
+
+    @classmethod
+    def of(cls, linearised: Linearised) -> "_Equations":
+        problem = linearised.problem
+        omitted = _omitted(problem)
+        every = problem.with_parameters((*problem.parameters, *omitted)).linearised(
+            linearised.state, linearised.loss
+        )
+        layout = every.normal.layout
+        surfaces = np.arange(layout.surfaces[0].start, layout.size)
+        departures = every.departures.reshape(-1)
+        precision = every.problem.surface_sigma.reshape(-1) ** -2.0
+        matrix, right, mixed = _with_lines(every)
+        matrix[surfaces, surfaces] -= precision
+        right[surfaces] += departures * precision
+        own = np.searchsorted(layout.active, [each.index for each in omitted]).astype(np.int64)
+        base = np.setdiff1d(np.arange(layout.size), own)
+        errors = np.concatenate([own, surfaces, np.arange(layout.size, len(matrix))])
+        offset = len(layout.active) + 3  # the shape's offset moves every misclosure by as much
+        effect = matrix[np.ix_(errors, errors)] / every.sums[:, offset, offset].sum()
+        half = forward(every.normal.factor, mixed.T)
+        matrix -= half.T @ half
+        right -= half.T @ every.normal.halved_pull
+        candidates = tuple(_candidates(every.problem, [each.name for each in omitted]))
+        return cls((matrix + matrix.T) / 2, right, base, errors, departures, effect, candidates)
+
+    def solved(self, sigma: Array) -> "_Solution":
+        """Solve the model without any error, with sigmas of tilts and offsets of shape (3,)."""
+        base, errors = self.base, self.errors
+        precision = np.tile(sigma**-2.0, len(self.departures) // AXES)
+        matrix = self.matrix[np.ix_(base, base)]
+        right = self.right[base]
+        surfaces = np.arange(len(base) - len(precision), len(base))
+        matrix[surfaces, surfaces] += precision
+        right[surfaces] -= self.departures * precision
+        scale = 1 / np.sqrt(np.diag(matrix))
+        factor = np.linalg.cholesky(matrix * np.outer(scale, scale))
+        crossed = self.matrix[np.ix_(base, errors)] * scale[:, None]
+        half = scipy.linalg.solve_triangular(
+            factor, np.column_stack([crossed, right * scale]), lower=True
+        )
+        by_errors, own = half[:, :-1], half[:, -1]
+        angles = np.zeros((len(base), AXES))
+        angles[:AXES] = np.diag(scale[:AXES])
+        back = scipy.linalg.solve_triangular(factor, angles, lower=True)
+        likelihood = float(
+            own @ own
+            - 2 * np.log(np.diag(factor) / scale).sum()
+            + np.log(precision).sum()
+            - self.departures**2 @ precision
+        )
+        return _Solution(
+            self.matrix[np.ix_(errors, errors)] - by_errors.T @ by_errors,
+            self.right[errors] - by_errors.T @ own,
+            likelihood,
+            back.T @ own,
+            back.T @ by_errors,
+            self.effect,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _Solution:
+    """The model without any error at one sigma of the surfaces, and its score by the candidates.
+
+    Attributes
+    ----------
+    information, score : ndarray of shape (c, c) and (c,)
+        Of the candidates' unknowns, all others eliminated.
+    base : float
+        Twice the log likelihood without any error, but for a constant.
+    angles : ndarray of shape (3,), radians
+        Correction of roll, pitch, yaw without any error.
+    by_errors : ndarray of shape (3, c)
+        What one unit of each candidate's unknown takes off the angles.
+    effect : ndarray of shape (c, c)
+        As in `_Equations`.
+    """
+
+    information: Array
+    score: Array
+    base: float
+    angles: Array
+    by_errors: Array
+    effect: Array
+
+    def likelihood(self, errors: tuple[_Candidate, ...]) -> float:
+        """Twice the log of the marginal likelihood with some errors."""
+        if not errors:
+            return self.base
+        columns, scale = _joined(errors)
+        precision, score = self._posterior(columns, scale)
+        factor = np.linalg.cholesky(precision)
+        half = scipy.linalg.solve_triangular(factor, score, lower=True)
+        shares = sum(2 * np.log(each.share) for each in errors)
+        return float(self.base + half @ half - 2 * np.log(np.diag(factor)).sum() + shares)
+
+    def angles_with(self, errors: tuple[_Candidate, ...]) -> Array:
+        """Correction of roll, pitch, yaw with some errors, shape (3,), radians."""
+        columns, size, _ = self._sizes(errors)
+        return self.angles - self.by_errors[:, columns] @ size
+
+    def cause(
+        self, errors: tuple[_Candidate, ...], evidence: float, before: Array
+    ) -> CandidateCause:
+        """The last of some errors with its size, the others being there as well.
+
+        Parameters
+        ----------
+        before : ndarray of shape (3,), radians
+            Correction of roll, pitch, yaw with the others alone.
+        """
+        columns, size, covariance = self._sizes(errors)
+        last = errors[-1]
+        own = slice(len(columns) - len(last.columns), None)
+        effect = size[own] @ self.effect[np.ix_(last.columns, last.columns)] @ size[own]
+        return CandidateCause(
+            last.kind,
+            last.target,
+            last.line,
+            size[own],
+            np.sqrt(np.diag(covariance)[own]),
+            self.angles_with(errors) - before,
+            float(np.sqrt(effect)),
+            evidence,
+        )
+
+    def _sizes(self, errors: tuple[_Candidate, ...]) -> tuple[Indices, Array, Array]:
+        """Columns of some errors, their most likely sizes (k,) and covariance (k, k)."""
+        columns, scale = _joined(errors)
+        precision, score = self._posterior(columns, scale)
+        covariance = np.linalg.inv(precision) * np.outer(scale, scale)
+        return columns, covariance @ (score / scale), covariance
+
+    def _posterior(self, columns: Indices, scale: Array) -> tuple[Array, Array]:
+        """Precision and score of unknowns in units of their prior standard deviations."""
+        information = self.information[np.ix_(columns, columns)] * np.outer(scale, scale)
+        return information + np.eye(len(columns)), self.score[columns] * scale
+
+
+def _joined(errors: tuple[_Candidate, ...]) -> tuple[Indices, Array]:
+    columns = np.concatenate([each.columns for each in errors])
+    return columns, np.concatenate([each.scale for each in errors])
+
+
+def _omitted(problem: Problem) -> list[Parameter]:
+    """Values of the mounting that are not estimated and that the data could show."""
+    estimated = {parameter.name for parameter in problem.parameters}
+    return [
+        Parameter(name)
+        for name in SWITCHED
+        if name not in estimated
+        and not (name == "latency" and problem.observations.pose_rate is None)
+    ]
+
+
+def _candidates(problem: Problem, omitted: Sequence[str]) -> Iterator[_Candidate]:
+    """All candidates; columns in the order of `_Equations.errors`."""
+    observations = problem.observations
+    for k, name in enumerate(omitted):
+        yield _Candidate(name, "", "", np.array([k]), 1.0)
+    first, count = len(omitted), len(observations.sightings)
+    spheres = observations.is_sphere[observations.target_of_sighting]
+    for s, sighting in enumerate(observations.sightings):
+        own = first + AXES * s + np.arange(AXES)
+        where = sighting.target, sighting.line
+        yield _Candidate("sighting_shift", *where, own[2:], 1 / count)
+        if not spheres[s]:
+            yield _Candidate("sighting_surface", *where, own, 1 / count)
+    first, count = first + AXES * count, len(observations.lines)
+    for k, line in enumerate(observations.lines):
+        own = first + 2 * AXES * k + np.arange(2 * AXES)
+        yield _Candidate("line_position", "", line, own[:AXES], 1 / count)
+        yield _Candidate("line_boresight", "", line, own[AXES:], 1 / count)
+
+
+def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
+    """Normal equations with position and boresight of each line added.
+
+    Returns
+    -------
+    matrix, right : ndarray of shape (u + 6 lines, u + 6 lines) and (u + 6 lines,)
+    mixed : ndarray of shape (u + 6 lines, 6 knots)
+        What they share with the POS error.
+    """
+    problem, normal, sums = linearised.problem, linearised.normal, linearised.sums
+    observations, groups, layout = problem.observations, problem.groups, normal.layout
+    own, lines = len(layout.active) + 4, observations.lines
+    of_sighting = np.array([lines.index(each.line) for each in observations.sightings])
+    size = np.zeros((sums.shape[1], 2 * AXES))
+    # The POS position at the knot before and at the one after, both at once
+    size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
+    size[:AXES, AXES:] = np.eye(AXES)
+    products = np.einsum("wc,gwv->gcv", size, sums)
+    basis = columns_basis(layout, observations.target_of_sighting, linearised.bases)
+    added = layout.size + 2 * AXES * len(lines)
+    matrix, right = np.zeros((added + 1, added + 1)), np.zeros(added)
+    mixed = np.zeros((added, linearised.state.effects.size))
+    matrix[: layout.size, : layout.size], right[: layout.size] = normal.matrix, normal.right
+    mixed[: layout.size] = normal.mixed
+    index = np.where(layout.index == layout.size, added, layout.index)
+    for g, (sighting, knot) in enumerate(zip(groups.sighting, groups.knot, strict=True)):
+        first = layout.size + 2 * AXES * of_sighting[sighting]
+        place = slice(first, first + 2 * AXES)
+        crossed = products[g, :, :own] @ basis[sighting]
+        matrix[place, index[sighting]] += crossed
+        matrix[index[sighting], place] += crossed.T
+        matrix[place, place] += products[g] @ size
+        mixed[place, 6 * knot : 6 * knot + 12] += products[g, :, own : own + 12]
+        right[place] -= products[g, :, -1]
+    return matrix[:-1, :-1], right, mixed
