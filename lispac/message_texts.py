@@ -77,49 +77,53 @@ TEXTS: Mapping[str, str] = {
     "recovery.height_offset": (
         "{line}: the heights are {offset:m.1} m above those of the trajectory, as with heights "
         "above sea level and an ellipsoidal trajectory. The recovered points do not lie on the "
-        "beams of the scanner (off by {misfit:mm} mm), and the angles will be wrong. Give the height system, "
-        "or {value:m.1} m to be added."
+        "beams of the scanner (off by {misfit:mm} mm), and the angles will be wrong. Give the "
+        "height system, or {value:m.1} m to be added."
     ),
     "recovery.time_offset": (
-        "{line}: the points fit the beams of the scanner only with {value:s} s added to their times. The "
-        "recovered points are off by {misfit:mm} mm, and the angles will be wrong. Check the time "
-        "base of the line."
+        "{line}: the points fit the beams of the scanner only with {value:s} s added to their "
+        "times. The recovered points are off by {misfit:mm} mm, and the angles will be wrong. "
+        "Check the time base of the line."
     ),
     "recovery.lever_arm_x": (
-        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the lever arm "
-        "forward. The cloud was made with another lever arm (recovered points are off by "
-        "{misfit:mm} mm). Give the lever arm that made the cloud."
+        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the "
+        "lever arm forward. The cloud was made with another lever arm (recovered points are off "
+        "by {misfit:mm} mm). Give the lever arm that made the cloud."
     ),
     "recovery.lever_arm_y": (
-        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the lever arm to "
-        "the left. The cloud was made with another lever arm (recovered points are off by "
-        "{misfit:mm} mm). Give the lever arm that made the cloud."
+        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the "
+        "lever arm to the left. The cloud was made with another lever arm (recovered points are "
+        "off by {misfit:mm} mm). Give the lever arm that made the cloud."
     ),
     "recovery.lever_arm_z": (
-        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the lever arm up. "
-        "The cloud was made with another lever arm (recovered points are off by {misfit:mm} mm). "
-        "Give the lever arm that made the cloud."
+        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the "
+        "lever arm up. The cloud was made with another lever arm (recovered points are off by "
+        "{misfit:mm} mm). Give the lever arm that made the cloud."
     ),
     "recovery.roll_sign": (
-        "{line}: the points fit the beams of the scanner only with the opposite sign of roll (off by "
-        "{misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the trajectory."
+        "{line}: the points fit the beams of the scanner only with the opposite sign of roll (off"
+        " by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the "
+        "trajectory."
     ),
     "recovery.pitch_sign": (
-        "{line}: the points fit the beams of the scanner only with the opposite sign of pitch (off by "
-        "{misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the trajectory."
+        "{line}: the points fit the beams of the scanner only with the opposite sign of pitch "
+        "(off by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the "
+        "trajectory."
     ),
     "recovery.roll_pitch_signs": (
-        "{line}: the points fit the beams of the scanner only with the opposite signs of roll and pitch (off "
-        "by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the trajectory."
+        "{line}: the points fit the beams of the scanner only with the opposite signs of roll and"
+        " pitch (off by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of "
+        "the trajectory."
     ),
     "recovery.several_causes": (
-        "{line}: the recovered points do not lie on the beams of the scanner (off by {misfit:mm} mm), and "
-        "the angles will be wrong. Several causes explain it: {causes:names}. Check them."
+        "{line}: the recovered points do not lie on the beams of the scanner (off by {misfit:mm} "
+        "mm), and the angles will be wrong. Several causes explain it: {causes:names}. Check "
+        "them."
     ),
     "recovery.unexplained": (
-        "{line}: the recovered points do not lie on the beams of the scanner (off by {misfit:mm} mm). No "
-        "single error of heights, time, lever arm or signs explains it: the cloud may have been "
-        "made with another trajectory, or adjusted. The angles may be wrong."
+        "{line}: the recovered points do not lie on the beams of the scanner (off by {misfit:mm} "
+        "mm). No single error of heights, time, lever arm or signs explains it: the cloud may "
+        "have been made with another trajectory, or adjusted. The angles may be wrong."
     ),
     "recovery.boresight_used": (
         "{line}: the recovered beams lie in a plane turned by {turn:deg.1} deg from the axes of "

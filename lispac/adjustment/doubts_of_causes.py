@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
@@ -31,8 +32,6 @@ KNOWN_FROM_DATA = {
     "trajectory.rate_too_low": "a trajectory with too few states",
 }
 """Warnings about the imported data that explain residuals, and the error each of them finds."""
-CONSEQUENCES = ("noise", "another_surface", "surfaces_differ")
-"""Doubts that blame targets or the LiDAR for residuals, which such an error explains."""
 EXPLAINS = 0.5
 """Effect of an error known from the data over that of a candidate from which it explains it."""
 
@@ -52,7 +51,7 @@ class Known:
     effect: float
 
     @classmethod
-    def among(cls, doubts: Iterable[Doubt]) -> "Known | None":
+    def among(cls, doubts: Iterable[Doubt]) -> Self | None:
         """The one with the largest effect among warnings about the data."""
         found = [
             cls(KNOWN_FROM_DATA[each.code], np.inf if each.effect is None else each.effect)
@@ -61,9 +60,9 @@ class Known:
         ]
         return max(found, key=lambda each: each.effect, default=None)
 
-    def explains(self, cause: CandidateCause) -> bool:
-        """Whether it is large enough to be behind the residuals that a candidate explains."""
-        return self.effect >= EXPLAINS * cause.effect
+    def explains(self, effect: float) -> bool:
+        """Whether it is large enough to be behind residuals of ``effect`` metres."""
+        return self.effect >= EXPLAINS * effect
 
 
 def cause_doubts(
@@ -79,7 +78,7 @@ def cause_doubts(
         What else there is to warn of.
     """
     causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
-    explained = [each for each in causes if known is not None and known.explains(each[0])]
+    explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
     found = [
         doubt
         for group in causes
@@ -87,9 +86,20 @@ def cause_doubts(
         for doubt in (_one(result, group[0]) if len(group) == 1 else _several(group))
     ]
     jumped = _jumped(result, causes)
+    if any(len(group) == 1 and group[0].kind in SWITCHED for group in causes):
+        others = [each for each in others if each.code != "surfaces_differ"]
     if known is None:
         return (*found, *jumped, *others)
-    kept = [each for each in others if each.code not in CONSEQUENCES]
+    # These blame the targets or the LiDAR for residuals, which such an error explains.
+    effects = {
+        "surfaces_differ": float(result.surfaces.max()),
+        "noise": result.rms_after,
+        "another_surface": result.rms_after,
+    }
+    kept = [
+        each for each in others
+        if each.code not in effects or not known.explains(effects[each.code])
+    ]  # fmt: skip
     if explained or jumped or len(kept) < len(others):
         found.append(_consequence(known, explained))
     return (*found, *kept)

@@ -154,16 +154,26 @@ def recovery_messages(name: str, sample: Sample, recovery: Recovery) -> tuple[Me
         )  # fmt: skip
     if any(each.misfit <= allowed for each in fitted):
         return ()
-    for shape, cone in zip(shapes, fitted, strict=True):
-        tried = sorted(_explanations(sample, recovery, found, shape), key=lambda each: each.misfit)
-        # A cone has more freedom than a plane: it has to be met within what is allowed.
-        most = max(allowed, CLEARLY * tried[0].misfit) if shape is _plane else allowed
-        fitting = [each for each in tried if each.misfit <= min(cone.misfit / BETTER, most)]
-        if fitting:
-            return (_named(name, cone, fitting),)
+    tried = [
+        sorted(_explanations(sample, recovery, found, shape), key=lambda each: each.misfit)
+        for shape in shapes
+    ]
+    for cone, explanations in zip(fitted, tried, strict=True):
+        if fitting := _fitting(cone, explanations, allowed):
+            return (_named(name, cone if np.isfinite(cone.misfit) else first, fitting),)
+    # Two errors at once, or a rough trajectory, leave more; but not so for a scanner of any shape.
+    if len(shapes) == 1 or first.misfit <= PROFILER * distance:
+        most = max(allowed, CLEARLY * tried[0][0].misfit)
+        if fitting := _fitting(first, tried[0], most):
+            return (_named(name, first, fitting),)
     if found.ring is None and first.misfit > PROFILER * distance:
         return ()  # a scanner of another kind
     return (_message(name, "recovery.unexplained", first, None),)
+
+
+def _fitting(cone: BeamCone, tried: list[Explanation], most: float) -> list[Explanation]:
+    """Explanations that reduce the misfit enough, and to at most ``most``."""
+    return [each for each in tried if each.misfit <= min(cone.misfit / BETTER, most)]
 
 
 def _named(name: str, cone: BeamCone, fitting: list[Explanation]) -> Message:
@@ -198,7 +208,9 @@ def _plane(found: _Recovered) -> BeamCone:
 
 
 def _cone(found: _Recovered) -> BeamCone:
-    return fit_cone(found.points)
+    """A cone, where the beams tell it from a plane or a point."""
+    cone = fit_cone(found.points)
+    return cone if arc_of(found.points) > SMALLEST_ARC else replace(cone, misfit=np.inf)
 
 
 def _cones(found: _Recovered) -> BeamCone:
@@ -212,8 +224,7 @@ def _shapes(found: _Recovered) -> Iterator[Shape]:
         yield _cones
         return
     yield _plane
-    if arc_of(found.points) > SMALLEST_ARC:
-        yield _cone  # a conical mirror
+    yield _cone
 
 
 TITLES = {
