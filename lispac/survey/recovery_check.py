@@ -83,7 +83,12 @@ class Sample:
         return cls(points, time, ring.astype(np.int64))
 
     def where(self, chosen: NDArray[np.bool_] | slice) -> "Sample":
-        """Some of the points."""
+        """Some of the points.
+
+        Parameters
+        ----------
+        chosen : ndarray of shape (n,), bool, or slice
+        """
         ring = None if self.ring is None else self.ring[chosen]
         return Sample(self.points_map[chosen], self.time[chosen], ring)
 

@@ -13,7 +13,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
-from lispac.adjustment.result import Contradiction
+from lispac.adjustment.result import CandidateCause
 from lispac.errors import Cancelled, InputError
 from lispac.gui import status
 from lispac.gui.dialogs.error import describe, error_box
@@ -268,8 +268,9 @@ def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):
     sound = status.steps(estimated, demo.survey)[2]
     assert sound.state == "done"
     assert "doubt" not in sound.sentence
-    found = Contradiction("lever_x", 0.1, 0.004, estimated.result.sigma * 9, 0.0)
-    result = replace(estimated.result, contradictions=(found,))
+    size, sigma, moved = np.array([0.1]), np.array([0.004]), estimated.result.sigma * 9
+    found = CandidateCause("lever_x", "", "", size, sigma, moved, 0.05, 600.0)
+    result = replace(estimated.result, causes=((found,),))
     doubtful = status.steps(replace(estimated, result=result), demo.survey)[2]
     assert doubtful.state == "warning"
     assert doubtful.sentence.startswith("done, in doubt")
