@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.messages import Level, Message
 
 Array = NDArray[np.float64]
 
@@ -35,6 +36,8 @@ class Trajectory:
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
     assumptions : tuple of str
         What the reader took for granted, in words.
+    messages : tuple of Message
+        Warnings and notes about the states.
     """
 
     time: Array
@@ -43,6 +46,7 @@ class Trajectory:
     height: Array
     attitude: Array
     assumptions: tuple[str, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "longitude", continuous(self.longitude))
@@ -74,10 +78,8 @@ class Trajectory:
             self, time=self.time[placed], latitude=self.latitude[placed],
             longitude=self.longitude[placed], height=self.height[placed],
             attitude=self.attitude[placed],
-            assumptions=(
-                *self.assumptions,
-                f"{count:,} states without a position (latitude and longitude 0, as before the "
-                "GNSS has a fix) are left out",
+            messages=(
+                *self.messages, Message("trajectory.no_position", Level.NOTE, {"count": count})
             ),
         )  # fmt: skip
 
@@ -168,6 +170,8 @@ class LocalTrajectory:
         Roll, pitch, heading against the axes of the local frame, without jumps by 2 pi.
     longest_gap : float, seconds
         Between two states that may be bridged.
+    messages : tuple of Message
+        Warnings and notes about the states.
     """
 
     frame: LocalFrame
@@ -175,6 +179,7 @@ class LocalTrajectory:
     position: Array
     attitude: Array
     longest_gap: float = LONGEST_GAP
+    messages: tuple[Message, ...] = ()
 
     @classmethod
     def of(
@@ -197,7 +202,8 @@ class LocalTrajectory:
                 "time, where roll and heading cannot be told apart: export it for a body frame "
                 "whose first axis is level (vessel or reference frame, not the tilted IMU's own)."
             )
-        return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0), longest_gap)
+        turned = np.unwrap(attitude, axis=0)
+        return cls(frame, trajectory.time, position, turned, longest_gap, trajectory.messages)
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:
