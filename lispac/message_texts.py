@@ -125,6 +125,15 @@ TEXTS: Mapping[str, str] = {
         "mm). No single error of heights, time, lever arm or signs explains it: the cloud may "
         "have been made with another trajectory, or adjusted. The angles may be wrong."
     ),
+    "recovery.recorded_mounting": (
+        "{line}: the cloud says how it was made (boresight roll {roll:deg.4}, pitch {pitch:deg.4}, "
+        "yaw {yaw:deg.4} deg). The points of the scanner are recovered with these values."
+    ),
+    "recovery.other_lever_arm": (
+        "{line}: the cloud was made with the lever arm {x:m.3}, {y:m.3}, {z:m.3} m, which differs "
+        "by {off:mm} mm from the prior one. The points are recovered with the former, but the "
+        "estimate uses the latter. Correct the lever arm if it was the same scanner."
+    ),
     "recovery.boresight_used": (
         "{line}: the recovered beams lie in a plane turned by {turn:deg.1} deg from the axes of "
         "the scanner. If the scanner measures along its axes, the cloud was made with another "

@@ -10,11 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.cloud_record import CloudRecord
 from lispac.io.las_crs import StatedSystem, stated_system
 from lispac.io.las_crs_written import is_in_local_frame
 from lispac.io.las_guard import require_sound_header
 from lispac.io.points import (
     CHUNK,
+    GEOREFERENCED,
     PLACE,
     PREVIEW,
     base_doubts,
@@ -30,6 +32,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
+from lispac.survey.crs import local_text
 from lispac.survey.kernels import scaled
 from lispac.survey.screening import LARGEST
 
@@ -95,11 +98,13 @@ def look(path: Path, choice: Choice) -> Finding:
     path = require_filled(path, "LAS")
     with plainly(path, "LAS or LAZ"), opened(path) as reader:
         header = reader.header
-        if is_in_local_frame(header) and "frame" not in choice:
+        record = CloudRecord.of(header)
+        frame = None if record is None else record.frame
+        if is_in_local_frame(header) and frame is None and "frame" not in choice:
             raise InputError(
                 f"{path}: this cloud was written in the local frame of a project (north, west, up),"
-                " so its points are not those of the scanner; write it with a coordinate system "
-                "(georeference --crs) to use it as a line."
+                " and does not say where that is; write it again, or with a coordinate system "
+                "(georeference --crs), to use it as a line."
             )
         stated = stated_system(header, path.name)
         points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
@@ -120,10 +125,12 @@ def look(path: Path, choice: Choice) -> Finding:
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
     seen = sight(xyz, time, crs=stated.text, low=low, high=high)
+    if frame is not None:  # what is unusual for a map is usual there
+        seen = replace(seen, frame=GEOREFERENCED, doubts=())
     base = _time_base(header)
     found = {
         "frame": seen.frame,
-        "crs": stated.text,
+        "crs": stated.text if frame is None else local_text(frame),
         "height_unit": stated.height_unit,
         "time_base": base,
     }

@@ -56,7 +56,6 @@ def state_system(header: laspy.LasHeader, crs: CRS | None) -> None:
     header.vlrs[:] = [each for each in header.vlrs if each.user_id != OWN_ID]
     header.global_encoding.wkt = header.point_format.id >= 6
     if crs is None:
-        header.vlrs.append(laspy.VLR(OWN_ID, LOCAL_FRAME, "local_frame", b""))
         return
     header.vlrs.append(WktCoordinateSystemVlr(_wkt(crs)))
     if header.point_format.id >= 6:

@@ -20,11 +20,14 @@ from numpy.typing import NDArray
 
 from lispac import __version__
 from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.io.cloud_record import CloudRecord
 from lispac.io.las_chunks import MIXED_UP, PackedColumns
 from lispac.io.las_crs_written import state_system
 from lispac.io.las_guard import require_sound_header
 from lispac.io.registry import PointChunk
 from lispac.survey.crs import CoordinateSystem
+from lispac.survey.georeferencing import Mounting
 from lispac.survey.kernels import quantised
 
 STEP = 1e-4
@@ -338,6 +341,8 @@ def cloud_file(
     system: CoordinateSystem | None,
     centre: NDArray[np.float64],
     *,
+    mounting: Mounting,
+    frame: LocalFrame,
     compressed: bool,
     shown: Path | None = None,
 ) -> Iterator[Cloud]:
@@ -351,6 +356,10 @@ def cloud_file(
         None for the local frame.
     centre : ndarray of shape (3,), in the coordinate system
         A place among the points, in ``system``: coordinates are counted from there.
+    mounting : Mounting
+        With which the points are georeferenced; kept in the file.
+    frame : LocalFrame
+        Of the project.
     compressed : bool
         LAZ, or LAS.
     shown : Path, optional
@@ -365,7 +374,9 @@ def cloud_file(
     header = deepcopy(pattern.header)
     header.scales = steps(system)
     header.offsets = np.round(centre, 0)
-    state_system(header, None if system is None else system.written)
+    local = frame if system is None else system.frame
+    state_system(header, None if system is None or local is not None else system.written)
+    header.vlrs.extend(CloudRecord(mounting, local).vlrs())
     try:
         with (
             path.open("wb") as file,

@@ -79,10 +79,13 @@ class CoordinateSystem:
     _to_ellipsoid: Transformer | None
     _epoch: float | None
     _height_offset: float = 0.0
+    frame: LocalFrame | None = None
 
     @property
     def name(self) -> str:
         """Name and, where there is one, EPSG code."""
+        if self.frame is not None:
+            return "local frame (north, west, up)"
         code = self.crs.to_epsg()
         return f"{self.crs.name} (EPSG:{code})" if code else str(self.crs.name)
 
@@ -91,6 +94,8 @@ class CoordinateSystem:
         """What PROJ does with coordinates: the same of two systems that give the same numbers."""
         steps = (self._to_geographic, self._to_ellipsoid)
         said = tuple(str(step.definition) for step in steps if step is not None)
+        if self.frame is not None:
+            return (repr(self.frame),)
         dated = any(word in step for step in said for word in CHANGING)
         heights = f"{self._height_factor!r} {self._height_offset!r}"
         return (*said, heights, repr(self._epoch) if dated else "")
@@ -98,7 +103,7 @@ class CoordinateSystem:
     @property
     def is_geographic(self) -> bool:
         """Whether horizontal coordinates are longitude and latitude in degrees."""
-        return bool(self.crs.is_geographic)
+        return bool(self.crs.is_geographic) and self.frame is None
 
     def to_geodetic(self, points_crs: Array, *, strict: bool = True) -> Geodetic:
         """Latitude, longitude (radians) and ellipsoidal height (metres) of points.
@@ -142,6 +147,8 @@ class CoordinateSystem:
         return self.from_geodetic(*frame.to_geodetic(points_local), strict=strict)
 
     def _block_to_geodetic(self, x: Array, y: Array, z: Array, *, strict: bool = True) -> Geodetic:
+        if self.frame is not None:
+            return self.frame.to_geodetic(np.stack([x, y, z], axis=-1))
         place = self._transform(self._to_geographic, (x, y, z * self._height_factor))
         if self._to_ellipsoid is not None:
             place = self._transform(self._to_ellipsoid, place)
@@ -158,6 +165,9 @@ class CoordinateSystem:
     def _block_from_geodetic(
         self, latitude: Array, longitude: Array, height: Array, *, strict: bool = True
     ) -> Geodetic:
+        if self.frame is not None:
+            x, y, z = self.frame.to_local(latitude, longitude, height).T
+            return x, y, z
         given = (np.degrees(longitude), np.degrees(latitude), height - self._height_offset)
         back = TransformDirection.INVERSE
         place = given
@@ -203,7 +213,9 @@ def coordinate_system(
     Parameters
     ----------
     text : str
-        An EPSG code (``EPSG:32619``, ``32619``, ``EPSG:6347+5703``), WKT, or a name PROJ knows.
+        An EPSG code (``EPSG:32619``, ``32619``, ``EPSG:6347+5703``), WKT, a name PROJ knows, or
+        ``local:`` with latitude, longitude (degrees) and height (metres above the ellipsoid) of the
+        origin of a frame towards north, west and up, parted by commas.
     height : str
         What heights are counted from: ``ellipsoid``, the EPSG code of a vertical system, the path
         of a geoid grid (.gtx, .tif), or metres with a sign (``+31.2``, ``-28.4``) that are added
@@ -220,6 +232,8 @@ def coordinate_system(
     InputError
         Where PROJ does not know the system, it is not tied to the earth, or a grid is missing.
     """
+    if text.startswith(LOCAL_PREFIX):
+        return _local_system(text)
     try:
         return _settled(_unbound(_known(text)), height, height_unit, trajectory_datum, epoch)
     except (CRSError, ProjError, IndexError) as error:  # pyproj's words for systems out of joint
@@ -227,6 +241,39 @@ def coordinate_system(
             f"{_short(text)}: PROJ cannot use this coordinate system ("
             f"{_short(str(error))}); give its EPSG code, EPSG:32619 for example."
         ) from error
+
+
+def local_text(frame: LocalFrame) -> str:
+    """The text of a local frame that `coordinate_system` takes."""
+    latitude, longitude = np.degrees(frame.latitude), np.degrees(frame.longitude)
+    return f"{LOCAL_PREFIX}{float(latitude)!r},{float(longitude)!r},{float(frame.height)!r}"
+
+
+def _local_system(text: str) -> CoordinateSystem:
+    """A local frame as a system.
+
+    Raises
+    ------
+    InputError
+    """
+    try:
+        latitude, longitude, height = (
+            float(part) for part in text.removeprefix(LOCAL_PREFIX).split(",")
+        )
+    except ValueError as error:
+        raise InputError(
+            f"{_short(text)}: a local frame needs latitude, longitude and height of its origin "
+            "(local:46.8,-71.2,20 for example)."
+        ) from error
+    wgs = CRS.from_epsg(4979)
+    frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+    return CoordinateSystem(
+        wgs, "above the ellipsoid", "metre", ("coordinates in the local frame of the cloud",),
+        (1.0, 1.0, 1.0), wgs, 1.0, Transformer.from_crs(wgs, wgs), None, None, frame=frame,
+    )  # fmt: skip
+
+
+LOCAL_PREFIX = "local:"
 
 
 def _settled(

@@ -129,7 +129,14 @@ def write_cloud(
     pace, total = Pace(f"Writing {path.name}", first.total), first.total
     outside = in_gaps = excluded = 0
     with cloud_file(
-        temporary, chosen, mapping.system, mapping.centre, compressed=compressed, shown=path
+        temporary,
+        chosen,
+        mapping.system,
+        mapping.centre,
+        mounting=mapping.mounting,
+        frame=mapping.trajectory.frame,
+        compressed=compressed,
+        shown=path,
     ) as cloud:
         workers = ThreadPoolExecutor(os.cpu_count(), "place")
         writer = ThreadPoolExecutor(1, "write")

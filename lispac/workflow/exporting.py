@@ -87,7 +87,7 @@ def export_targets(
             if ending == "csv":
                 _write_csv(temporary, own, placed, survey.lines, system)
             else:
-                _write_las(temporary, path, own, placed, system)
+                _write_las(temporary, path, own, placed, mapper)
         progress(1.0, "Targets written")
     return paths
 
@@ -220,9 +220,7 @@ def _write_csv(
     write_table(path, titles, columns, forms)
 
 
-def _write_las(
-    path: Path, shown: Path, own: _Points, placed: Array, system: CoordinateSystem | None
-) -> None:
+def _write_las(path: Path, shown: Path, own: _Points, placed: Array, mapper: PointMapper) -> None:
     scanner = {f"{axis}_lidar": own.points_lidar[:, k] for k, axis in enumerate("xyz")}
     extra: dict[str, NDArray[Any]] = {
         "point_source_id": (own.line + 1).astype(np.uint16),
@@ -232,6 +230,13 @@ def _write_las(
         extra["intensity"] = own.intensity
     pattern = pattern_of_columns(PointChunk(placed, own.time, extra, len(placed)))
     with cloud_file(
-        path, pattern, system, placed.mean(axis=0), compressed=shown.suffix == ".laz", shown=shown
+        path,
+        pattern,
+        mapper.system,
+        placed.mean(axis=0),
+        mounting=mapper.mounting,
+        frame=mapper.trajectory.frame,
+        compressed=shown.suffix == ".laz",
+        shown=shown,
     ) as cloud:
         cloud.write(cloud.records(placed, own.time, extra))

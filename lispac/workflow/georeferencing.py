@@ -23,6 +23,7 @@ from lispac.survey.store.reading import StoredLine
 from lispac.workflow.clouds import Written, write_cloud
 from lispac.workflow.importing import kept_header, line_folder, stored_line
 from lispac.workflow.line_chunks import Chunks
+from lispac.workflow.line_points import mounting_of_cloud
 from lispac.workflow.reading import local_trajectory
 from lispac.workflow.target_systems import target_system
 
@@ -98,9 +99,8 @@ def georeference_project(
                 own = stores.get(chunks.line.name)
                 recovery = None
                 if chunks.system is not None and own is None:
-                    recovery = Recovery(
-                        chunks.system, trajectory, project.mounting("prior"), chunks.line.path
-                    )
+                    made_with, _ = mounting_of_cloud(chunks.line, project.mounting("prior"))
+                    recovery = Recovery(chunks.system, trajectory, made_with, chunks.line.path)
                 done = write_cloud(
                     chunks if own is None else own,
                     stack.enter_context(written_whole(path)),

@@ -12,10 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.causes import Cause
 from lispac.errors import InputError
+from lispac.io.cloud_record import CloudRecord
 from lispac.io.points import require_times, system_of
 from lispac.io.registry import Choice, PointChunk
-from lispac.messages import Message
+from lispac.messages import Level, Message
 from lispac.project import LineSource
 from lispac.survey.audit_messages import has_several_scanners
 from lispac.survey.georeferencing import Mounting
@@ -59,6 +61,44 @@ class FarCopies(Exception):
     """The line holds copies of points that lie far before them in the file."""
 
 
+OTHER_LEVER_ARM = 0.001
+"""Metres of difference from which the lever arm of a cloud is another one."""
+
+
+def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tuple[Message, ...]]:
+    """The mounting with which a georeferenced cloud was made, and messages about it.
+
+    A cloud that the program wrote has it in its header; of others it is the prior.
+
+    Parameters
+    ----------
+    prior : Mounting
+        Of the project.
+    """
+    record = CloudRecord.read(line.path)
+    if record is None:
+        return prior, ()
+    made, subject = record.mounting, Cause.of_line(line.name)
+    roll, pitch, yaw = (float(angle) for angle in made.plain.boresight)
+    found = [
+        Message(
+            "recovery.recorded_mounting", Level.NOTE,
+            {"line": line.name, "roll": roll, "pitch": pitch, "yaw": yaw}, subject,
+        )
+    ]  # fmt: skip
+    off = made.lever_arm - prior.lever_arm
+    if np.linalg.norm(off) > OTHER_LEVER_ARM:
+        x, y, z = (float(value) for value in made.lever_arm)
+        found.append(
+            Message(
+                "recovery.other_lever_arm", Level.WARNING,
+                {"line": line.name, "x": x, "y": y, "z": z, "off": float(np.linalg.norm(off))},
+                subject,
+            )
+        )  # fmt: skip
+    return made, tuple(found)
+
+
 class LinePoints:
     """Reads a line chunk by chunk: excludes what cannot be used, and recovers map coordinates.
 
@@ -67,7 +107,8 @@ class LinePoints:
     line : LineSource
     trajectory : LocalTrajectory
     mounting : Mounting
-        The prior: a georeferenced cloud is taken to have been made with it.
+        The prior: a georeferenced cloud that does not say otherwise is taken to have been made
+        with it.
     attributes : sequence of str or None
         Attributes of the file that go along where it has them; None for all.
     far_copies : bool
@@ -96,8 +137,11 @@ class LinePoints:
         self._selection = PointSelection.of(settled)
         system = system_of(settled, line.path)
         self.recovery: Recovery | None = None
+        self._recorded: tuple[Message, ...] = ()
         if system is not None:
-            self.recovery = Recovery(system, trajectory, mounting, line.path)
+            made, self._recorded = mounting_of_cloud(line, mounting)
+            self.recovery = Recovery(system, trajectory, made, line.path)
+            self._latency = made.latency
             assumptions += self.recovery.assumptions
         self._assumptions = assumptions
         self._screen = self._new_screen()
@@ -148,9 +192,9 @@ class LinePoints:
         if self.recovery is None or not self._samples:
             return ()
         if has_several_scanners(self.audit):
-            return ()  # one mounting does not fit them; the audit says so
+            return self._recorded  # one mounting does not fit them; the audit says so
         whole = Sample.joined(self._samples)
-        return recovery_messages(self.line.name, whole, self.recovery)
+        return (*self._recorded, *recovery_messages(self.line.name, whole, self.recovery))
 
     @property
     def assumptions(self) -> tuple[str, ...]:
