@@ -9,12 +9,15 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.survey.states_between import densified
 
 Array = NDArray[np.float64]
 
 LONGEST_GAP = 1.5
 """Seconds between two states that a straight line may bridge, where nothing else is set; text
 exports come at 1 Hz."""
+TICK = 1e-4
+"""Seconds over which an angular rate is brought to another frame."""
 STEEPEST = float(np.radians(80.0))
 """Pitch beyond which roll and heading run too fast to be interpolated; at 90 deg they are one."""
 
@@ -35,6 +38,10 @@ class Trajectory:
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
     assumptions : tuple of str
         What the reader took for granted, in words.
+    velocity : ndarray of shape (n, 3), metres a second, or None
+        Towards north, west, up, where the file has it.
+    attitude_rate : ndarray of shape (n, 3), radians a second, or None
+        Derivatives of ``attitude``, where the file has angular rates.
     """
 
     time: Array
@@ -43,6 +50,8 @@ class Trajectory:
     height: Array
     attitude: Array
     assumptions: tuple[str, ...] = ()
+    velocity: Array | None = None
+    attitude_rate: Array | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "longitude", continuous(self.longitude))
@@ -74,6 +83,8 @@ class Trajectory:
             self, time=self.time[placed], latitude=self.latitude[placed],
             longitude=self.longitude[placed], height=self.height[placed],
             attitude=self.attitude[placed],
+            velocity=None if self.velocity is None else self.velocity[placed],
+            attitude_rate=None if self.attitude_rate is None else self.attitude_rate[placed],
             assumptions=(
                 *self.assumptions,
                 f"{count:,} states without a position (latitude and longitude 0, as before the "
@@ -168,6 +179,8 @@ class LocalTrajectory:
         Roll, pitch, heading against the axes of the local frame, without jumps by 2 pi.
     longest_gap : float, seconds
         Between two states that may be bridged.
+    curve_error : ndarray of shape (n - 1, 6), metres and radians, or None
+        By how much states that were inserted between those of the file may be off.
     """
 
     frame: LocalFrame
@@ -175,12 +188,16 @@ class LocalTrajectory:
     position: Array
     attitude: Array
     longest_gap: float = LONGEST_GAP
+    curve_error: Array | None = None
 
     @classmethod
     def of(
         cls, trajectory: Trajectory, frame: LocalFrame, longest_gap: float = LONGEST_GAP
     ) -> "LocalTrajectory":
         """Bring a trajectory into ``frame``: positions, and attitude turned to its axes.
+
+        Where the trajectory has velocities and angular rates, and straight lines between its states
+        are too coarse for the motion, further states are inserted (`densified`).
 
         Raises
         ------
@@ -197,7 +214,22 @@ class LocalTrajectory:
                 "time, where roll and heading cannot be told apart: export it for a body frame "
                 "whose first axis is level (vessel or reference frame, not the tilted IMU's own)."
             )
-        return cls(frame, trajectory.time, position, np.unwrap(attitude, axis=0), longest_gap)
+        attitude = np.unwrap(attitude, axis=0)
+        if trajectory.velocity is None and trajectory.attitude_rate is None:
+            return cls(frame, trajectory.time, position, attitude, longest_gap)
+        derivatives = np.zeros((len(position), 6))
+        if trajectory.velocity is not None:
+            velocity = trajectory.velocity[:, :, None]
+            derivatives[:, :3] = (rotation_local_level @ velocity)[:, :, 0]
+        if trajectory.attitude_rate is not None:
+            ahead = rotation_matrix(*(trajectory.attitude + TICK * trajectory.attitude_rate).T)
+            turned = angles_of(rotation_local_level @ ahead) - attitude
+            derivatives[:, 3:] = (np.remainder(turned + np.pi, 2 * np.pi) - np.pi) / TICK
+        states = np.hstack([position, attitude])
+        dense = densified(trajectory.time, states, derivatives, longest_gap)
+        return cls(
+            frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, dense.error
+        )
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:
