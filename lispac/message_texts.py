@@ -134,6 +134,33 @@ TEXTS: Mapping[str, str] = {
         "{line} and {other} have points in common ({share:percent.1} % of the smaller line). "
         "Points that count twice make the standard deviations too small. Exclude {smaller}."
     ),
+    "text.unit_overridden": (
+        "{file}: the columns {stated:names} state a unit, but {option} is set to {given}. The "
+        "values are read in the unit that is set, and all results depend on it. Check the option."
+    ),
+    "text.two_columns": (
+        "{file}: the columns {columns:names} have the same meaning. {used} is used. State the "
+        "columns if that is the wrong one."
+    ),
+    "text.unknown_unit": (
+        "{file}: the unit in the title of column {column} is not known. {used} are taken. Check it."
+    ),
+    "trajectory.angles_in_radians": (
+        "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
+        "radians. The angles are read as degrees, so all results will be wrong. Set radians."
+    ),
+    "trajectory.angles_in_degrees": (
+        "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
+        "degrees. The angles are read as radians, so all results will be wrong. Set degrees."
+    ),
+    "trajectory.rates_not_used": (
+        "The velocities or angular rates of the trajectory contradict its states in {names:names}. "
+        "These are interpolated linearly. Check the export of velocities and rates."
+    ),
+    "trajectory.no_position": (
+        "{count:n} states of the trajectory have no position (latitude and longitude are 0, as "
+        "before the GNSS has a fix). They are excluded. Start the export at the first fix."
+    ),
     "file.header_count": (
         "{file}: the header counts {header:n} points, but the file holds {held:n}. All of them "
         "are read. Export the file again before another program reads it."

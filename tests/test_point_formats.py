@@ -317,7 +317,7 @@ def test_options_that_are_not_there_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="has no option"):
         list(FORMATS["las"].read(path, {"colour": "red"}))
     with pytest.raises(InputError, match="choose metre or foot"):
-        list(FORMATS["las"].read(path, {"unit": "fathom"}))
+        list(FORMATS["las"].read(path, {"unit": "cubit"}))
 
 
 def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from lispac.io.sight import sight
 from lispac.io.text_export import write_table
 from lispac.io.text_layout import Layout, layout_of
 from lispac.io.text_table import clock, coordinates_in, last_lines
-from lispac.io.text_units import height_unit_of, unit_doubts, units_in
+from lispac.io.text_units import height_unit_of, unit_doubts
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files
 
@@ -83,10 +83,10 @@ def test_an_epoch_that_is_no_year() -> None:
 
 def test_units_in_the_names_of_columns() -> None:
     lines = ["Quay of May [m]", "time,Easting[ftUS],Northing[ftUS],Height[m],ring[x]", "1,2,3,4,5"]
-    units = units_in(lines, layout_of(lines))
-    assert units == {"x": "us-ft", "y": "us-ft", "z": "m"}
-    assert units_in(lines[2:], layout_of(lines)) == {}  # the names lie above what was looked at
-    assert units_in(lines, Layout("comma", False)) == {}
+    units = layout_of(lines).units()
+    assert {axis: units[axis] for axis in "xyz"} == {"x": "us-ft", "y": "us-ft", "z": "m"}
+    assert layout_of(lines[2:]).units() == {}  # the names lie above what was looked at
+    assert Layout("comma", False).units() == {}
     assert height_unit_of(units, "EPSG:2229") == "metre"
     assert height_unit_of({"z": "ft"}, "EPSG:2229") == ""
 

@@ -175,7 +175,7 @@ def test_states_before_the_first_fix_are_left_out(tmp_path: Path) -> None:
     assert len(read.time) == 43
     assert read.mean_frame().latitude == pytest.approx(np.radians(LATITUDE[~zero].mean()))
     assert read.mean_frame().longitude == pytest.approx(np.radians(LONGITUDE[~zero].mean()))
-    (told,) = read.assumptions
-    assert told.startswith("7 ")
+    (message,) = read.messages
+    assert (message.code, message.params["count"]) == ("trajectory.no_position", 7)
     with pytest.raises(InputError):
         Trajectory(TIME, 0 * TIME, 0 * TIME, 0 * TIME, np.zeros((50, 3))).with_positions_only()

@@ -234,5 +234,5 @@ def test_angles_in_metres_are_refused(tmp_path: Path) -> None:
     _, rows = gridded(UTM, 1.0)
     head = EXAIL_HEAD.format("meter").replace("Roll, degree", "Roll, meter")
     path = write(tmp_path / "a.txt", head, rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
-    with pytest.raises(InputError, match="column roll is in m by its header, and should be an ang"):
+    with pytest.raises(InputError, match="column roll is in metres by its header, and should"):
         EXAIL.read(path, {"crs": UTM})

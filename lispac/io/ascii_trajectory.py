@@ -5,14 +5,15 @@ the next file of the same kind is read without asking.
 """
 
 import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.exail import unit_of
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding
 from lispac.io.text_table import (
     fields_of,
@@ -24,9 +25,11 @@ from lispac.io.text_table import (
     number,
 )
 from lispac.io.trajectory_columns import (
+    ATTITUDE,
     GRID,
     HEIGHTS,
     HEMISPHERES,
+    POSITION,
     ROLES,
     SIGMAS,
     Column,
@@ -38,6 +41,16 @@ from lispac.io.trajectory_columns import (
 from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
+from lispac.io.units import (
+    UNKNOWN,
+    direction_of,
+    is_units_row,
+    split_title,
+    stated_unit,
+    with_units,
+)
+from lispac.messages import Action, Level, Message
+from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory
 
 DEFAULT_COLUMNS = "time latitude longitude height roll pitch heading"
@@ -55,6 +68,8 @@ DEFAULTS = {
     "crs": "",
     "time": "gps-week",
 }
+HEADER = "header"
+"""Choice of a unit: as the title of each column states it."""
 _ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms", "degrees-minutes": "ddmm"}
 _LENGTHS = {
     "": UNSTATED,
@@ -63,10 +78,9 @@ _LENGTHS = {
     "international-feet": "int-ft",
     "us-survey-feet": "us-ft",
 }
-LENGTH_CHOICES = tuple(_LENGTHS)
-_TIME_UNIT = re.compile(r"[\[(]\s*(ms|us|ns)\s*[\])]|_(ms|us|ns)$", re.IGNORECASE)
-_WEST = re.compile(r"[\[(][^\])]*\b(w|west)\b[^\])]*[\])]|_w$|west", re.IGNORECASE)
-"""In the name of longitudes that are positive to the west."""
+POSITION_CHOICES = (*_ANGLES, HEADER)
+ATTITUDE_CHOICES = ("degrees", "radians", HEADER)
+LENGTH_CHOICES = (*_LENGTHS, HEADER)
 _COMMENT = ("#", "%", "//", ";")
 
 
@@ -113,12 +127,14 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
             raise InputError(f"{path}: two columns are named {token}; name each once.")
         field = sample[index] if index < len(sample) else ""
         title = titles[index] if len(titles) == len(tokens) else ""
-        columns.append(Column(role, index, token, _unit(role, field, chosen, title)))
+        columns.append(Column(role, index, token, _unit(role, token, field, chosen, title)))
 
     def rows(path: Path) -> Rows:
         return ascii_rows(path, separator, header)
 
-    velocities = velocity_columns([_bare(name) for name in titles], [unit_of(n) for n in titles])
+    velocities = velocity_columns(
+        [_bare(name) for name in titles], [stated_unit(name) for name in titles]
+    )
     return TextLayout(
         tuple(columns), tuple(tokens), separator, rows, {"Header": "generic text"}, (), velocities
     )
@@ -159,7 +175,13 @@ def look_ascii(path: Path, choice: Choice) -> Finding:
     found = DEFAULTS | detected | dict(choice)
     layout = layout_of(path, found)
     finding = look_at_text(path, layout, _conventions(found), found)
-    return replace(finding, choice=found, doubts=(*doubts, *finding.doubts))
+    titles = _header_names(first_lines(path, 60))
+    return replace(
+        finding,
+        choice=found,
+        doubts=(*doubts, *finding.doubts),
+        messages=(*finding.messages, *_header_messages(path, titles, choice)),
+    )
 
 
 def read_ascii(path: Path, choice: Choice) -> Trajectory:
@@ -181,42 +203,67 @@ def _split(line: str, separator: str) -> list[str]:
     return [] if line.lstrip().startswith(_COMMENT) else fields_of(line, separator)
 
 
-def _bare(name: str) -> str:
-    """A name without its unit in brackets or parentheses, or after an underscore."""
-    return re.sub(r"[\[(].*|_(s|ms|us|ns|deg|rad|m|ft|w)$", "", name, flags=re.IGNORECASE)
+def _bare(title: str) -> str:
+    """Name of a column without its unit."""
+    return split_title(title)[0]
 
 
 def _header_names(lines: list[str]) -> list[str]:
-    """Names in the last row before the data that has at least three that mean something."""
-    names: list[str] = []
+    """Titles of the columns: the last row before the data with at least three known names.
+
+    The units in a row between the names and the data are put behind the names.
+    """
+    titles: list[str] = []
     for line in lines:
         if is_data(_split(line, "auto")):
             break
         bare = line.strip().lstrip("#%/; \t")
         fields = fields_of(bare)
         if sum(bool(role_of(_bare(name))) for name in fields) >= 3:
-            names = fields
-    return names
+            titles = fields
+        elif titles and is_units_row(fields) and len(fields) == len(titles):
+            titles = with_units(titles, fields)
+    return titles
 
 
-def _unit(role: str, field: str, chosen: dict[str, str], title: str) -> str:
-    """Unit of a column by its role, first value, the options, and its name in the file."""
+def _unit(role: str, token: str, field: str, chosen: dict[str, str], title: str) -> str:
+    """Unit of a column by its role, the user's name, first value, options, title in the file."""
     if role == "time":
-        mark = _TIME_UNIT.search(title)
-        return "clock" if is_clock(field) else (mark[1] or mark[2]).lower() if mark else "s"
-    if role in HEMISPHERES:
+        return "clock" if is_clock(field) else _stated(title).partition(UNKNOWN)[0] or "s"
+    if role == "latitude_hemisphere":
         return "hemisphere"
-    if role == "longitude" and _WEST.search(title):
-        return f"{_ANGLES[chosen['position']]}-west"
+    if role == "longitude_hemisphere":
+        letters = {"".join(c for c in name.lower() if c.isalpha()) for name in (title, token)}
+        is_french, is_german = letters & {"eo", "oe"}, letters & {"ow", "wo"}
+        return "hemisphere-fr" if is_french else "hemisphere-de" if is_german else "hemisphere"
     if role == "date":
         return "date"
-    if role in ("latitude", "longitude"):
-        return _ANGLES[chosen["position"]]
-    if role.removesuffix("_sd") in ("roll", "pitch", "heading"):
-        return _ANGLES[chosen["attitude"]]
+    if role in POSITION:
+        unit = _angle(chosen["position"], title)
+        way = direction_of(title)
+        if way == UNKNOWN:
+            return f"{UNKNOWN}{split_title(title)[1]}"
+        turned = (role, way) in (("longitude", "west"), ("latitude", "south"))
+        return f"{unit}-{way}" if turned and not unit.startswith(UNKNOWN) else unit
+    if role.removesuffix("_sd") in ATTITUDE:
+        return _angle(chosen["attitude"], title)
     if role in GRID:
-        return _LENGTHS[chosen["grid_unit"]]
-    return _LENGTHS[chosen["heights"]] if role in HEIGHTS else "m"
+        return _length(chosen["grid_unit"], title)
+    return _length(chosen["heights"], title) if role in HEIGHTS else _stated(title) or "m"
+
+
+def _stated(title: str) -> str:
+    """Unit in a title; one that is not known with its words."""
+    unit = stated_unit(title)
+    return f"{UNKNOWN}{split_title(title)[1]}" if unit == UNKNOWN else unit
+
+
+def _angle(option: str, title: str) -> str:
+    return (_stated(title) or "deg") if option == HEADER else _ANGLES[option]
+
+
+def _length(option: str, title: str) -> str:
+    return _stated(title) if option == HEADER else _LENGTHS[option]
 
 
 def _conventions(chosen: dict[str, str]) -> Conventions:
@@ -232,17 +279,9 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
     found: dict[str, str] = {}
     doubts: list[str] = []
     if names:
+        _require_one_column_each(path, names)
         found["columns"] = " ".join(_tokens(names))
-        for option, meant, units in (
-            ("position", {"latitude"}, _ANGLES),
-            ("attitude", {"roll", "heading"}, _ANGLES),
-            ("heights", set(HEIGHTS), _LENGTHS),
-            ("grid_unit", set(GRID), _LENGTHS),
-        ):
-            stated = {unit_of(name) for name in names if role_of(_bare(name)) in meant} - {""}
-            word = next((word for word, unit in units.items() if stated == {unit}), "")
-            if word:
-                found[option] = word
+        found |= _stated_options(names)
     elif "columns" not in choice:
         doubts.append(
             f"No row names the columns; {DEFAULT_COLUMNS} is taken: state the columns if they "
@@ -252,14 +291,20 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
     separator = choice.get("separator", "auto")
     data = [fields for line in lines if is_data(fields := _split(line, separator))]
     if names and "columns" not in choice:
-        tokens = _hemispheres(tokens, data)
+        tokens = _hemispheres(path, tokens, data)
         found["columns"] = " ".join(tokens)
+    data = _with_positions(path, tokens, data, choice)
     values = {
         role_of(token): column
         for index, token in enumerate(tokens)
         if (column := _values(data, index)) is not None
     }
-    _detect_units(values, found, choice, doubts)
+    written = {
+        role_of(token): [fields[index] for fields in data if index < len(fields)]
+        for index, token in enumerate(tokens)
+        if role_of(token) in POSITION
+    }
+    _detect_units(values, written if len(written) == len(POSITION) else {}, found, choice, doubts)
     roles = {role_of(token) for token in tokens}
     clocks = "time" in roles and "time" not in values
     if "date" in roles:
@@ -288,15 +333,106 @@ def _tokens(names: list[str]) -> list[str]:
     return tokens
 
 
-def _hemispheres(tokens: list[str], data: list[list[str]]) -> list[str]:
-    """Columns without a meaning whose values are letters of hemispheres, by their values."""
+_UNIT_OPTIONS: tuple[tuple[str, tuple[str, ...], dict[str, str]], ...] = (
+    ("position", POSITION, _ANGLES),
+    ("attitude", ATTITUDE, _ANGLES),
+    ("heights", HEIGHTS, _LENGTHS),
+    ("grid_unit", GRID, _LENGTHS),
+)
+"""Option, roles of its columns, and unit of each of its choices."""
+
+
+def _stated_options(titles: Sequence[str]) -> dict[str, str]:
+    """Options for the units that titles state."""
+    found: dict[str, str] = {}
+    for option, roles, units in _UNIT_OPTIONS:
+        stated = [stated_unit(title) for title in titles if role_of(_bare(title)) in roles]
+        if not any(stated):
+            continue
+        word = next((word for word, unit in units.items() if set(stated) - {""} == {unit}), HEADER)
+        allowed = ATTITUDE_CHOICES if option == "attitude" else (*units, HEADER)
+        found[option] = word if word in allowed else HEADER
+    return found
+
+
+def _require_one_column_each(path: Path, titles: Sequence[str]) -> None:
+    """Refuse an angle in several columns, of degrees, minutes and seconds.
+
+    Raises
+    ------
+    InputError
+    """
+    parts = {"deg", "min", "sec", "s", "degrees", "minutes", "seconds", "d", "m"}
+    for role in POSITION:
+        own = []
+        for title in titles:
+            apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
+            words = re.split(r"[\s_.\[\](){}-]+", apart.lower().strip(" ])}"))
+            bare = [word for word in words if word not in parts]
+            if len(bare) < len(words) and role_of("".join(bare)) == role:
+                own.append(title)
+        if len(own) > 1:
+            raise InputError(
+                f"{path}: the {role} is in {len(own)} columns ({', '.join(own)}); export it in "
+                "one, as decimal degrees."
+            )
+
+
+def _hemispheres(path: Path, tokens: list[str], data: list[list[str]]) -> list[str]:
+    """Columns without a meaning whose values are letters of hemispheres, by their values.
+
+    Raises
+    ------
+    InputError
+        Where the letter O alone does not tell east from west.
+    """
     found = list(tokens)
     for index, token in enumerate(tokens):
         letters = {row[index].strip().upper() for row in data if index < len(row)}
-        for role, own in zip(HEMISPHERES, ({"N", "S"}, {"E", "W"}), strict=True):
-            if token == "-" and role not in found and letters and letters <= own:
+        if token == "-" and letters == {"O"}:
+            raise InputError(
+                f"{path}: column {index + 1} holds the letter O, which is west in French (ouest) "
+                "and east in German (Ost); name it eo (O is west) or ow (O is east) in the option "
+                "columns."
+            )
+        if token == "-" and "O" in letters and letters <= {"E", "W", "O"}:
+            found[index] = "eo" if "E" in letters else "ow"
+        for role, own in zip(HEMISPHERES, _LETTERS, strict=True):
+            if token == "-" and role not in map(role_of, found) and letters and letters <= own:
                 found[index] = role
     return found
+
+
+_LETTERS = (
+    {"N", "S", "NORTH", "SOUTH", "NORD", "SUD", "SÜD"},
+    {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
+)
+"""What columns of hemispheres hold."""
+SEARCHED = 200_000
+"""Rows in which the first position is sought."""
+SAMPLE = 60
+
+
+def _with_positions(
+    path: Path, tokens: Sequence[str], data: list[list[str]], choice: Choice
+) -> list[list[str]]:
+    """Rows with a position: those before a first fix, with zeros, tell no unit."""
+    places = [k for k, token in enumerate(tokens) if role_of(token) in POSITION]
+    if len(places) < len(POSITION):
+        return data
+
+    def is_placed(fields: list[str]) -> bool:
+        return any(k < len(fields) and not _is_zero(fields[k]) for k in places)
+
+    if not data or is_placed(data[0]):
+        return [fields for fields in data if is_placed(fields)]
+    rows = ascii_rows(path, choice.get("separator", "auto"), choice.get("header", "auto"))
+    found = (fields for _, fields in islice(rows, SEARCHED) if is_placed(fields))
+    return list(islice(found, SAMPLE)) or data
+
+
+def _is_zero(field: str) -> bool:
+    return is_number(field) and number(field) == 0
 
 
 def _values(data: list[list[str]], index: int) -> NDArray[np.float64] | None:
@@ -310,20 +446,44 @@ def _values(data: list[list[str]], index: int) -> NDArray[np.float64] | None:
 
 def _detect_units(
     values: dict[str, NDArray[np.float64]],
+    written: Mapping[str, Sequence[str]],
     found: dict[str, str],
     choice: Choice,
     doubts: list[str],
 ) -> None:
+    """Units by the first values.
+
+    Parameters
+    ----------
+    written : mapping of str to sequence of str
+        Fields of latitude and longitude as they are written.
+    """
     if "latitude" in values and "longitude" in values:
-        largest = max(np.abs(values["latitude"]).max(), np.abs(values["longitude"]).max())
-        both = np.concatenate([values["latitude"], values["longitude"]])
-        if largest > 360 and (np.abs(both) % 100 < 60).all():
+        latitude, longitude = np.abs(values["latitude"]), np.abs(values["longitude"])
+        largest = float(max(latitude.max(), longitude.max()))
+        beyond = largest > 360 or min(latitude.max(), longitude.max()) > 90
+        minutes = np.concatenate([latitude, longitude]) % 100
+        if (beyond or _is_padded(written)) and (minutes < 60).all():
             found.setdefault("position", "degrees-minutes")
         _settle("position", largest, found, choice, doubts)
-    elif {"latitude", "longitude"} & set(values) == set() and "easting" not in values:
-        found.setdefault("position", "dms")
+    elif not {"latitude", "longitude"} & set(values) and "easting" not in values and written:
+        # A unit of degrees in the title is no contradiction to degrees with letters or minutes.
+        found["position"] = "degrees-minutes" if _is_padded(written) else "dms"
     if "heading" in values:
         _settle("attitude", np.abs(values["heading"]).max(), found, choice, doubts)
+
+
+_PADDED = {
+    "latitude": re.compile(r"[NS]?\s*[-+]?\d{4}([.,]\d*)?\s*[NS]?", re.IGNORECASE),
+    "longitude": re.compile(r"[EW]?\s*[-+]?\d{5}([.,]\d*)?\s*[EW]?", re.IGNORECASE),
+}
+"""Degrees and minutes with all their zeros, as NMEA 0183 prescribes."""
+
+
+def _is_padded(written: Mapping[str, Sequence[str]]) -> bool:
+    return all(
+        form.fullmatch(field.strip()) for role, form in _PADDED.items() for field in written[role]
+    )
 
 
 def _settle(
@@ -338,3 +498,44 @@ def _settle(
             f"The first values of {option} stay within a full circle of radians, so radians are "
             "taken; state degrees if they are."
         )
+
+
+def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:
+    """Warnings about titles that the reading does not follow."""
+    file = printable(path.name)
+    for option, stated in _stated_options(titles).items():
+        given = str(choice.get(option, stated))
+        if given == stated or given == "dms" or given in _KINDS_OF.get(stated, ()):
+            continue
+        yield Message(
+            "text.unit_overridden", Level.WARNING,
+            {"file": file, "option": option, "stated": _stated_words(titles, option),
+             "given": given},
+            actions=(Action("set_option", {"name": option, "value": stated}),),
+        )  # fmt: skip
+    roles: dict[str, list[str]] = {}
+    for title in titles:
+        if role := role_of(_bare(title)):
+            roles.setdefault(role, []).append(title)
+    for role, own in roles.items():
+        exact = [title for title in own if _bare(title).strip().lower() == role]
+        if len(own) > 1 and len(exact) != 1:
+            used = (exact or own)[0]
+            yield Message(
+                "text.two_columns", Level.WARNING,
+                {"file": file, "columns": tuple(own), "used": used},
+            )  # fmt: skip
+        if role == "time" and stated_unit(own[0]) == UNKNOWN:
+            yield Message(
+                "text.unknown_unit", Level.WARNING,
+                {"file": file, "column": own[0], "used": "seconds"},
+            )  # fmt: skip
+
+
+_KINDS_OF = {"feet": ("international-feet", "us-survey-feet")}
+"""Units that say more precisely what a title states."""
+
+
+def _stated_words(titles: Sequence[str], option: str) -> tuple[str, ...]:
+    roles = next(own for name, own, _ in _UNIT_OPTIONS if name == option)
+    return tuple(title for title in titles if role_of(_bare(title)) in roles and stated_unit(title))

@@ -33,24 +33,11 @@ from lispac.io.trajectory_columns import (
 from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
+from lispac.io.units import unit_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
 _DESCRIPTION = re.compile(r"#\s*(\w+)\s*:\s*(.+)")
-_UNITS = (
-    (r"hh\W*mm", "clock"),
-    (r"yyyy\W*mm", "date"),
-    (r"arc.?min", "arcmin"),
-    (r"degrees?\W+minutes?|\bdms\b", "dms"),
-    (r"deg", "deg"),
-    (r"rad", "rad"),
-    (r"survey[\s_-]*(feet|foot|ft)|\bu\.?s\.?[\s_-]*(feet|foot|ft)\b", "us-ft"),
-    (r"\bft[\s_-]*\(?us\b|\bsft\b", "us-ft"),
-    (r"\bint\w*\.?[\s_-]*(feet|foot|ft)\b|\bift\b|\bft[\s_-]*\(?int", "int-ft"),
-    (r"feet|foot|\bft\b", "ft"),
-    (r"met(er|re)|\bm\b", "m"),
-    (r"second|\bs\b", "s"),
-)
 _SIGNS = {
     "bow-up": r"(bow|nose) up|up (bow|nose)",
     "bow-down": r"(bow|nose) down|down (bow|nose)",
@@ -132,11 +119,6 @@ def exail_layout(path: Path) -> TextLayout:
         tuple(columns), names, separator, exail_rows, facts, tuple(doubts),
         velocity_columns(names, units),
     )  # fmt: skip
-
-
-def unit_of(words: str) -> str:
-    """Unit that a description names; empty where it names none."""
-    return next((unit for form, unit in _UNITS if re.search(form, words.lower())), "")
 
 
 def default_unit(role: str) -> str:

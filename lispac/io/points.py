@@ -34,7 +34,10 @@ FRAME = Option(
     "frame", "What the coordinates refer to: the scanner, or the map", (SCANNER, GEOREFERENCED),
     SCANNER,
 )  # fmt: skip
-SCANNER_UNITS = UNITS | {"millimetre": 1e-3}
+SCANNER_UNITS = UNITS | {
+    "millimetre": 1e-3, "centimetre": 1e-2, "kilometre": 1e3, "inch": 0.3048 / 12,
+    "yard": 3 * 0.3048, "fathom": 6 * 0.3048,
+}  # fmt: skip
 UNIT = Option("unit", "Unit of scanner-frame coordinates", tuple(SCANNER_UNITS), "metre")
 CRS = Option("crs", "Coordinate system of georeferenced points: EPSG code, EPSG:32619 say, or WKT")
 HEIGHT = Option(
@@ -70,7 +73,10 @@ PLACE = (
 )  # fmt: skip
 """Options of every reader: where the points are, when, and which of them are used."""
 
-SECONDS = {"second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9}
+SECONDS = {
+    "second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9,
+    "minute": 60.0, "hour": 3600.0,
+}  # fmt: skip
 TIME_FIELD = Option("time_field", "Name of the field with the time; empty: by the usual names")
 TIME_UNIT = Option("time_unit", "Unit of the time", tuple(SECONDS), "second")
 TIME_NAMES = (

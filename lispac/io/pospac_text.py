@@ -14,7 +14,7 @@ import re
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.exail import default_unit, unit_of, unstated
+from lispac.io.exail import default_unit, unstated
 from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
 from lispac.io.text_table import fields_of, first_lines, is_data, lines_of
 from lispac.io.trajectory_columns import (
@@ -27,6 +27,7 @@ from lispac.io.trajectory_columns import (
 )
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
+from lispac.io.units import unit_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)

@@ -43,9 +43,9 @@ class SbetOptions:
         """Each of them in a sentence."""
         wander = "less the wander angle" if self.heading == "minus-wander" else "as it is"
         velocities = (
-            "velocities are not used and their axes were not checked"
+            "velocities are taken in the axes that fit the positions best"
             if self.axes == "unknown"
-            else f"velocities are not used; their axes are {AXES[self.axes]}"
+            else f"the axes of the velocities are {AXES[self.axes]}"
         )
         return (
             f"SBET: true heading is the platform heading {wander}",

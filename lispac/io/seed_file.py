@@ -5,13 +5,14 @@ mean is taken from a row of names above them, else from their order.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.text_layout import MEANINGS, REMARKS
 from lispac.io.text_table import SEPARATORS, coordinate, fields_of, is_number, lines_of
+from lispac.io.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, stated_unit
 from lispac.picks import Role, require_name
 
 WHAT = "coordinate list"
@@ -38,7 +39,6 @@ ROLES: dict[str, Role] = {
     **dict.fromkeys(("target", "t", "adjustment"), "target"),
     **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),
 }
-_UNIT = re.compile(r"[\s_]*[\[(].*[\])]$|_(m|deg)$")
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,7 @@ def read_point_list(
     local: bool = True,
     degrees: bool = False,
     check: bool = False,
+    metres: Sequence[float] = (1.0, 1.0, 1.0),
 ) -> PointList:
     """Read a list of target coordinates.
 
@@ -108,6 +109,8 @@ def read_point_list(
         Whether degrees, minutes and seconds are understood.
     check : bool
         Whether these are check points, which may have columns ``sigma`` (metres) and ``plane``.
+    metres : three of float
+        In a unit of each axis of the coordinate system, to which units in the titles are converted.
 
     Raises
     ------
@@ -121,6 +124,7 @@ def read_point_list(
         raise InputError(f"{path}: no row of coordinates is in it; give rows of name, x, y, z.")
     separator = separator_of(first[1])
     stated = True
+    factors: Mapping[str, float] = {}
     if columns:
         meant = _complete(path, "", tuple(_meaning(word, local) for word in columns))
         if not _holds_numbers(first[1], separator, meant, degrees):
@@ -128,7 +132,9 @@ def read_point_list(
     elif names := header_of(first[1], separator, local=local):
         if check:
             names = _with_check_columns(names, fields_of(first[1], separator))
-        meant, first = _complete(path, f", row {first[0]}", names), None
+        meant = _complete(path, f", row {first[0]}", names)
+        titles = dict(zip(meant, fields_of(first[1], separator), strict=True))
+        factors, first = _factors(path, titles, metres, degrees), None
     else:
         meant, stated = _by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
@@ -136,7 +142,7 @@ def read_point_list(
         if first is None and not points:
             separator = separator_of(row_text)  # names may be parted otherwise than numbers
         fields = fields_of(row_text, separator)
-        points.append(_point(path, number, fields, meant, degrees))
+        points.append(_point(path, number, fields, meant, degrees, factors))
     if not points:
         raise InputError(f"{path}: no row of coordinates follows its names; export it again.")
     _require_apart(path, points)
@@ -188,7 +194,7 @@ def separator_of(row: str) -> str:
 
 
 def _meaning(word: str, local: bool) -> str:
-    bare = _UNIT.sub("", word.strip()).strip().lower()
+    bare = split_title(word)[0].lower()
     joined = re.sub(r"[\s_.#-]+", "", bare)
     if local and joined in LOCAL_NAMES:
         return LOCAL_NAMES[joined]
@@ -209,7 +215,7 @@ def header_of(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
 
 def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
     """What columns mean that a list of targets has no use for."""
-    bare = (_UNIT.sub("", name.strip()).strip().lower() for name in names)
+    bare = (split_title(name)[0].lower() for name in names)
     return tuple(
         CHECK_NAMES.get(name, UNUSED) if known == UNUSED else known
         for known, name in zip(meant, bare, strict=True)
@@ -283,9 +289,43 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     )
 
 
+def _factors(
+    path: Path, titles: Mapping[str, str], metres: Sequence[float], degrees: bool
+) -> dict[str, float]:
+    """What each column is multiplied by, for the unit and direction in its title.
+
+    Raises
+    ------
+    InputError
+        Where a unit is not known or is none of the column's kind.
+    """
+    factors: dict[str, float] = {}
+    for name, own in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
+        title = titles.get(name, "")
+        unit = stated_unit(title)
+        angle = degrees and name in COORDINATES[:2]
+        if angle:
+            turned = direction_of(title) == ("west" if name == "x" else "south")
+            factors[name] = -1.0 if turned else 1.0
+        if not unit or (unit in ("dms", "ddmm") and angle):
+            continue
+        kind = "angle" if angle else "length"
+        if unit == UNKNOWN or UNITS[unit].kind != kind:
+            raise InputError(
+                f"{path}: column {title} should be {'an angle' if angle else 'a length'}, in a "
+                "unit that is known; correct its title or its values."
+            )
+        one = UNITS["deg"].si if angle else own
+        is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # US survey feet as well
+        if not is_of_system:
+            factors[name] = factors.get(name, 1.0) * UNITS[unit].si / one
+    return factors
+
+
 def _point(
-    path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool
-) -> ListedPoint:
+    path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
+    factors: Mapping[str, float],
+) -> ListedPoint:  # fmt: skip
     where = f"{path}, row {row}"
     at = {name: k for k, name in enumerate(meant) if name != UNUSED}
     needed = 1 + max(at[name] for name in (NAME, *COORDINATES) if name in at)
@@ -302,7 +342,7 @@ def _point(
                 f"{where}: {axis} is {fields[at[axis]][:40]!r}, which is not a number; correct "
                 "the row or take it out."
             )
-        values.append(value)
+        values.append(value * factors.get(axis, 1.0))
     name = fields[at[NAME]].strip() if NAME in at else ""
     if NAME in at:
         try:
@@ -320,9 +360,10 @@ def _point(
         fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
         for what in (SIGMA, PLANE)
     )
-    return ListedPoint(
-        row, name, ROLES[word] if word else None, (x, y, z), _sigma(where, sigma), plane
-    )
+    own = _sigma(where, sigma)
+    if own is not None:
+        own *= factors.get(SIGMA, 1.0)
+    return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z), own, plane)
 
 
 def _sigma(where: str, text: str) -> float | None:

@@ -17,6 +17,8 @@ from lispac.io.points import (
     PLACE,
     PREVIEW,
     ROWS,
+    SCANNER,
+    SCANNER_UNITS,
     SECONDS,
     TIME_UNIT,
     place_facts,
@@ -32,7 +34,14 @@ from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, O
 from lispac.io.sight import sight
 from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
 from lispac.io.text_table import clock, is_clock
-from lispac.io.text_units import header_units, height_unit_of, unit_doubts, units_in
+from lispac.io.text_units import (
+    header_options,
+    height_unit_of,
+    require_cartesian,
+    require_one_unit,
+    unit_doubts,
+    unit_messages,
+)
 
 COLUMNS = Option(
     "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
@@ -91,12 +100,15 @@ def look(path: Path, choice: Choice) -> Finding:
         raise InputError(f"{path}: this line holds no points; leave it out.")
     require_points(chunk.xyz, chunk.time, path)
     chunk = usable_points(chunk)
-    seen = sight(chunk.xyz, chunk.time, crs=str(choice.get("crs", "")))
+    metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
+    seen = sight(metres * chunk.xyz, chunk.time, crs=str(choice.get("crs", "")))
     found["frame"] = seen.frame
-    units, crs = units_in(lines, layout), str(choice.get("crs", ""))
+    units, crs = layout.units(), str(choice.get("crs", ""))
     if crs and (unit := height_unit_of(units, crs)):
         found["height_unit"] = unit
     settled = _settled(found, choice)
+    if settled["frame"] == SCANNER and not choice.get("unit"):
+        require_one_unit(path, layout)
     facts |= {
         **place_facts(settled),
         "time base": time_base(chunk.time, settled["time_base"]),
@@ -115,7 +127,8 @@ def look(path: Path, choice: Choice) -> Finding:
             "Times are as hh:mm:ss; the file does not say whether they are UTC: choose the time "
             "base (utc-day or gps-day).",
         )
-    return Finding(facts, preview, found, (*doubts, *seen.doubts))
+    messages = tuple(unit_messages(path, layout, choice))
+    return Finding(facts, preview, found, (*doubts, *seen.doubts), messages=messages)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -129,7 +142,10 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file is missing, empty, damaged, or a row does not fit the columns.
     """
     path = require_filled(path, "text")
-    settled = _settled(_detected(path)[0], choice)
+    found, layout, _ = _detected(path)
+    settled = _settled(found, choice)
+    if settled["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
+        require_one_unit(path, layout)
     if not settled["columns"]:
         raise InputError(
             f"{path}: the file does not name its columns; name them from the left, "
@@ -166,7 +182,9 @@ def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
     }
     if set(REQUIRED) <= set(layout.names):
         found["columns"] = " ".join(layout.names)
-        found |= header_units(lines, layout)
+        found |= header_options(layout)
+    else:
+        require_cartesian(path, layout)
     return found, layout, lines
 
 

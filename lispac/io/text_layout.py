@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from lispac.io.points import TIME_NAMES
 from lispac.io.text_table import DECIMAL_COMMAS, is_clock
+from lispac.io.units import ANGLE_CODES, is_units_row, split_title, stated_unit, with_units
 
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
@@ -37,15 +38,18 @@ class Layout:
         One of `SEPARATORS`.
     decimal_comma : bool
     names : tuple of str
-        Of the columns, as the row above the numbers has them; empty where there is none.
+        Of the columns, in the program's words; empty where no row above the numbers has them.
     first : int
         Rows before the first one of numbers.
+    titles : tuple of str
+        Of the columns, as the file has them, with the units of a row below the names.
     """
 
     separator: str
     decimal_comma: bool
     names: tuple[str, ...] = ()
     first: int = 0
+    titles: tuple[str, ...] = ()
 
     def plain(self, row: str) -> str:
         """A row as `float` reads it: no quotes, decimal points."""
@@ -56,9 +60,10 @@ class Layout:
         """The columns of a row."""
         return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
 
-    def meant(self, fields: Sequence[str]) -> tuple[str, ...]:
-        """Names of columns in the program's words."""
-        return _meant(fields)
+    def units(self) -> dict[str, str]:
+        """Unit in the title of each column that has one, as `stated_unit` has it."""
+        units = zip(self.names, map(stated_unit, self.titles), strict=True)
+        return {name: unit for name, unit in units if unit and name != "-"}
 
     def is_numbers(self, row: str) -> bool:
         """Whether a row has four numbers or more, and few other columns: so have no names.
@@ -82,8 +87,8 @@ def layout_of(lines: Sequence[str]) -> Layout:
         for separator, decimal_comma in _candidates(row):
             layout = Layout(separator, decimal_comma)
             if layout.is_numbers(row):
-                names = _names(lines, row, separator, len(layout.fields(row)))
-                return Layout(separator, decimal_comma, names, first)
+                titles = _titles(lines, row, separator, len(layout.fields(row)))
+                return Layout(separator, decimal_comma, _meant(titles), first, tuple(titles))
     return Layout("blank", False, (), len(rows))
 
 
@@ -99,13 +104,20 @@ def _candidates(row: str) -> list[tuple[str, bool]]:
     return [("blank", False)]
 
 
-def _names(lines: Sequence[str], row: str, separator: str, columns: int) -> tuple[str, ...]:
-    """Names from one of the three lines above the numbers, which may be marked as a remark."""
+def _titles(lines: Sequence[str], row: str, separator: str, columns: int) -> list[str]:
+    """Titles from one of the four lines above the numbers, which may be marked as a remark.
+
+    The units in a row between names and numbers are put behind the names.
+    """
     written = [bare for line in lines if (bare := line.strip("\r\n ")).strip()]
-    for line in reversed(written[: written.index(row)][-3:]):
-        if fields := names_of(line, separator, columns):
-            return _meant(fields)
-    return ()
+    units: list[str] = []
+    for line in reversed(written[: written.index(row)][-4:]):
+        fields = names_of(line, separator, columns)
+        if fields and is_units_row(fields) and not units:
+            units = fields
+        elif fields:
+            return with_units(fields, units) if units else fields
+    return []
 
 
 def names_of(line: str, separator: str, columns: int) -> list[str]:
@@ -120,22 +132,37 @@ def names_of(line: str, separator: str, columns: int) -> list[str]:
 
 def bare_name(field: str) -> str:
     """A column name in lower case, without its unit."""
-    return re.sub(r"[\s_]*[\[(].*[\])]$|_(m|s|ms|us|ns|ft|deg)$", "", field).strip().lower()
+    return split_title(field)[0].strip().lower()
+
+
+def equal_columns(titles: Sequence[str]) -> dict[str, list[str]]:
+    """Titles of the same meaning, by it, where none of them has the exact name."""
+    found: dict[str, list[str]] = {}
+    for title in titles:
+        if meaning := MEANINGS.get(bare_name(title)):
+            found.setdefault(meaning, []).append(title)
+    return {
+        meaning: own
+        for meaning, own in found.items()
+        if len(own) > 1 and [bare_name(title) for title in own].count(meaning) != 1
+    }
 
 
 def _meant(fields: Sequence[str]) -> tuple[str, ...]:
     """Names in the program's words; the exact name of a column goes before its synonyms.
 
-    Beside a range or an azimuth, an elevation is an angle of the beam and no height.
+    Beside a range or an azimuth, or in degrees, an elevation is an angle and no height.
     """
     bares = [bare_name(field) for field in fields]
     beams = not BEAMS.isdisjoint(bares)
+    angles = [stated_unit(field) in ANGLE_CODES for field in fields]
     chosen: dict[str, int] = {}
     for k, bare in enumerate(bares):
         if MEANINGS.get(bare) == bare:
             chosen.setdefault(bare, k)
     for k, bare in enumerate(bares):
-        if bare in MEANINGS and not (beams and bare in ANGLES_OF_BEAMS):
+        is_angle = (beams and bare in ANGLES_OF_BEAMS) or (MEANINGS.get(bare) == "z" and angles[k])
+        if bare in MEANINGS and not is_angle:
             chosen.setdefault(MEANINGS[bare], k)
     names: list[str] = []
     for k, (bare, field) in enumerate(zip(bares, fields, strict=True)):

@@ -178,7 +178,8 @@ def degrees_minutes_seconds(field: str) -> float:
     if negative and hemisphere in ("S", "W"):
         raise ValueError(f"{field!r} has both a sign and a hemisphere")
     sign = -1.0 if negative or hemisphere in ("S", "W") else 1.0
-    parts = [part for part in _DMS_SEPARATORS.split(text.lstrip("+-").lower()) if part]
+    bare = re.sub(r"(?<=\d)-(?=\d)", " ", text.lstrip("+-"))
+    parts = [part for part in _DMS_SEPARATORS.split(bare.lower()) if part]
     if not 1 <= len(parts) <= 3:
         raise ValueError(f"{field!r} is not degrees, minutes and seconds")
     values = [number(part) for part in parts]
@@ -190,28 +191,41 @@ def degrees_minutes_seconds(field: str) -> float:
 def degrees_and_minutes(field: str) -> float:
     """Decimal degrees of ``4830.2533`` (ddmm.mmmm, as in NMEA 0183): 48 degrees, 30.2533 minutes.
 
+    A hemisphere may stand before or behind it.
+
     Raises
     ------
     ValueError
     """
-    value = number(field)
+    text = field.strip().upper()
+    letters = text[:1] + text[-1:]
+    found = [letter for letter in letters if letter in HEMISPHERES]
+    value = number(text.strip("NSEW "))
+    if len(found) > 1 or (found and value < 0):
+        raise ValueError(f"{field!r} has both a sign and a hemisphere")
     degrees, minutes = divmod(abs(value), 100.0)
     if minutes >= 60:
         raise ValueError(f"{field!r} is not degrees and minutes")
-    return math.copysign(degrees + minutes / 60, value)
+    return math.copysign(degrees + minutes / 60, value) * (HEMISPHERES[found[0]] if found else 1.0)
 
 
-def hemisphere(field: str) -> float:
+def hemisphere(field: str, o: str = "") -> float:
     """Sign of a hemisphere: 1 for N and E, -1 for S and W.
+
+    Parameters
+    ----------
+    o : {"", "E", "W"}
+        What the letter O means: *Ost* in German, *ouest* in French; empty where that is not known.
 
     Raises
     ------
     ValueError
     """
-    letter = field.strip().upper()[:1]
-    if letter not in HEMISPHERES:
+    word = field.strip().upper()
+    letter = o if o and word == "O" else {"OST": "E", "OUEST": "W"}.get(word, word)
+    if letter[:1] not in HEMISPHERES:
         raise ValueError(f"{field!r} is not a hemisphere")
-    return HEMISPHERES[letter]
+    return HEMISPHERES[letter[:1]]
 
 
 HEMISPHERES = {"N": 1.0, "S": -1.0, "E": 1.0, "W": -1.0}

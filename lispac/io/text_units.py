@@ -1,88 +1,118 @@
-"""Units in the names of columns of points as text, against those of the coordinate system."""
+"""Units in the titles of columns of points as text: what they state, and what contradicts them."""
 
-import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.exail import unit_of
-from lispac.io.text_layout import Layout, names_of
+from lispac.io.points import SCANNER_UNITS
+from lispac.io.registry import Choice
+from lispac.io.text_layout import BEAMS, Layout, bare_name, equal_columns
 from lispac.io.trajectory_grid import LENGTH_WORDS, LENGTHS
-from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
+from lispac.io.units import UNITS, UNKNOWN
+from lispac.messages import Action, Level, Message
+from lispac.survey.crs import UNITS as SYSTEM_UNITS
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.source import printable
 
-_MARK = re.compile(r"[\[(](.+)[\])]\s*$|_(m|ft)$")
-
-
-def units_in(lines: Sequence[str], layout: Layout) -> dict[str, str]:
-    """Unit in the name of each column, as `unit_of` has it; without those that name none."""
-    if not layout.names:
-        return {}
-    for line in lines:
-        fields = names_of(line, layout.separator, len(layout.names))
-        if fields and layout.meant(fields) == layout.names:
-            marks = [_MARK.search(field) for field in fields]
-            found = [unit_of(mark[1] or mark[2]) if mark else "" for mark in marks]
-            return {
-                name: unit
-                for name, unit in zip(layout.names, found, strict=True)
-                if unit in LENGTHS
-            }
-    return {}
+TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
+              "min": "minute", "h": "hour"}  # fmt: skip
+"""Units of time as the option ``time_unit`` has them."""
+AXES = ("x", "y", "z")
 
 
-TIME_UNITS = {"s": "second", "sec": "second", "ms": "millisecond", "msec": "millisecond",
-              "us": "microsecond", "usec": "microsecond", "µs": "microsecond", "ns": "nanosecond",
-              "nsec": "nanosecond"}  # fmt: skip
-"""Units of time in the names of columns, as the option ``time_unit`` has them."""
-LENGTH_UNITS = {"m": "metre", "mm": "millimetre", "ft": "foot", "us-ft": "us-survey-foot",
-                "us ft": "us-survey-foot", "int-ft": "foot"}  # fmt: skip
-"""Units of length in the names of columns, as the option ``unit`` has them."""
-_UNIT = re.compile(r"[\[(]\s*([^\])]+?)\s*[\])]\s*$|_(ms|us|ns|mm|ft|m|s)$", re.IGNORECASE)
-
-
-def header_units(lines: Sequence[str], layout: Layout) -> dict[str, str]:
-    """Options ``time_unit`` and ``unit`` that the names of the columns state."""
-    marks = _marks(lines, layout)
-    found: dict[str, str] = {}
-    if time := TIME_UNITS.get(marks.get("time", "").lower()):
+def header_options(layout: Layout) -> dict[str, str]:
+    """Options ``time_unit`` and ``unit`` that the titles of the columns state."""
+    units, found = layout.units(), dict[str, str]()
+    if time := TIME_UNITS.get(units.get("time", "")):
         found["time_unit"] = time
-    stated = {axis: marks[axis].lower() for axis in "xyz" if marks.get(axis)}
-    if len(set(stated.values())) == 1 and len(stated) == len("xyz"):
-        unit = next(iter(stated.values()))
-        if unit in LENGTH_UNITS:
-            found["unit"] = LENGTH_UNITS[unit]
+    stated = [units.get(axis, "") for axis in AXES]
+    if len(set(stated)) == 1 and stated[0] in LENGTHS:
+        metres = LENGTHS[stated[0]]
+        found["unit"] = next(name for name, own in SCANNER_UNITS.items() if own == metres)
     return found
 
 
-def _marks(lines: Sequence[str], layout: Layout) -> dict[str, str]:
-    """What stands as the unit in the name of each column, by the column's meaning."""
-    for line in lines if layout.names else ():
-        fields = names_of(line, layout.separator, len(layout.names))
-        if fields and layout.meant(fields) == layout.names:
-            found = [_UNIT.search(field) for field in fields]
-            return {
-                name: mark[1] or mark[2]
-                for name, mark in zip(layout.names, found, strict=True)
-                if mark
-            }
-    return {}
+def require_one_unit(path: Path, layout: Layout) -> None:
+    """Refuse coordinates in the scanner frame whose titles state several units, or an unknown one.
+
+    Raises
+    ------
+    InputError
+    """
+    units = layout.units()
+    stated = {axis: units.get(axis, "") for axis in AXES}
+    if len(set(stated.values())) == 1 and set(stated.values()) <= {"", *LENGTHS}:
+        return
+    words = ", ".join(
+        f"{axis} in {UNITS[unit].words if unit in UNITS else 'a unit that is not known'}"
+        for axis, unit in stated.items()
+        if unit
+    )
+    raise InputError(
+        f"{path}: the titles of the columns do not state one unit of length for x, y and z "
+        f"({words}); export them in one unit, or set the unit (option unit)."
+    )
 
 
-def height_unit_of(units: dict[str, str], crs: str) -> str:
-    """Option for the unit of heights; empty where the names say nothing that the system does not.
+def require_cartesian(path: Path, layout: Layout) -> None:
+    """Refuse points in polar coordinates.
+
+    Raises
+    ------
+    InputError
+    """
+    polar = [title for title in layout.titles if bare_name(title) in BEAMS]
+    if len(polar) >= 2 and not set(AXES) <= set(layout.names):
+        raise InputError(
+            f"{path}: the points are in polar coordinates ({', '.join(polar)}); export x, y and z "
+            "in the scanner frame."
+        )
+
+
+def unit_messages(path: Path, layout: Layout, choice: Choice) -> Iterator[Message]:
+    """Warnings about titles that the reading does not follow.
+
+    Parameters
+    ----------
+    choice : mapping
+        Options as the user sets them.
+    """
+    file = printable(path.name)
+    for option, stated in header_options(layout).items():
+        given = str(choice.get(option, stated))
+        if given not in ("", stated):
+            own = AXES if option == "unit" else ("time",)
+            titles = tuple(layout.titles[layout.names.index(name)] for name in own)
+            params = {"file": file, "option": option, "stated": titles, "given": given}
+            actions = (Action("set_option", {"name": option, "value": stated}),)
+            yield Message("text.unit_overridden", Level.WARNING, params, actions=actions)
+    if layout.units().get("time") == UNKNOWN:
+        column = layout.titles[layout.names.index("time")]
+        params = {"file": file, "column": column, "used": "seconds"}
+        yield Message("text.unknown_unit", Level.WARNING, params)
+    for meaning, titles_of_one in equal_columns(layout.titles).items():
+        if meaning in (*AXES, "time"):
+            used = layout.titles[layout.names.index(meaning)]
+            params = {"file": file, "columns": tuple(titles_of_one), "used": used}
+            yield Message("text.two_columns", Level.WARNING, params)
+
+
+def height_unit_of(units: Mapping[str, str], crs: str) -> str:
+    """Option for the unit of heights; empty where the titles say nothing that the system does not.
 
     Plain feet are those of a system in feet.
     """
     unit = units.get("z", "")
     system = _system(crs)
-    if not unit or (unit == "ft" and system is not None and "foot" in system.unit):
+    if unit not in LENGTHS or (unit == "ft" and system is not None and "foot" in system.unit):
         return ""
-    return next(name for name, metres in UNITS.items() if metres == LENGTHS[unit])
+    return next((name for name, metres in SYSTEM_UNITS.items() if metres == LENGTHS[unit]), "")
 
 
-def unit_doubts(units: dict[str, str], crs: str) -> tuple[str, ...]:
+def unit_doubts(units: Mapping[str, str], crs: str) -> tuple[str, ...]:
     """A sentence where eastings by their name are in another unit than the system's."""
     unit, system = units.get("x", ""), _system(crs)
-    if not unit or system is None or system.is_geographic:
+    if unit not in LENGTHS or system is None or system.is_geographic:
         return ()
     own = system.metres[0]
     if (unit == "ft" and "foot" in system.unit) or abs(LENGTHS[unit] / own - 1) < 1e-9:

@@ -2,7 +2,9 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,66 +22,46 @@ from lispac.io.text_table import (
 )
 from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
 from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, Length, grid_of, unit_of_heights
+from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN
 from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-PARSERS: dict[str, tuple[Callable[[str], float], float]] = {
-    "rad": (number, 1.0),
-    "deg": (number, np.pi / 180),
-    "dms": (degrees_minutes_seconds, np.pi / 180),
-    "arcmin": (number, np.pi / 180 / 60),
-    "m": (number, 1.0),
-    "ft": (number, LENGTHS["ft"]),
-    "int-ft": (number, LENGTHS["int-ft"]),
-    "us-ft": (number, LENGTHS["us-ft"]),
-    UNSTATED: (number, 1.0),
-    "ddmm": (degrees_and_minutes, np.pi / 180),
-    "hemisphere": (hemisphere, 1.0),
-    "s": (number, 1.0),
-    "ms": (number, 1e-3),
-    "us": (number, 1e-6),
-    "ns": (number, 1e-9),
-    "clock": (clock, 1.0),
-    "date": (day, 1.0),
-}
-for _unit in ("rad", "deg", "dms", "ddmm"):
-    PARSERS[f"{_unit}-west"] = PARSERS[_unit][0], -PARSERS[_unit][1]
+_NOTATIONS: dict[str, Callable[[str], float]] = {
+    "dms": degrees_minutes_seconds, "ddmm": degrees_and_minutes, "clock": clock, "date": day,
+}  # fmt: skip
+PARSERS = {code: (_NOTATIONS.get(code, number), unit.si) for code, unit in UNITS.items()}
+PARSERS[UNSTATED] = number, 1.0
+UNIT_WORDS = {code: unit.words for code, unit in UNITS.items()}
+for _unit in ANGLE_CODES:
+    for _way in ("west", "south"):
+        PARSERS[f"{_unit}-{_way}"] = PARSERS[_unit][0], -PARSERS[_unit][1]
+        UNIT_WORDS[f"{_unit}-{_way}"] = f"{UNIT_WORDS[_unit]}, positive to the {_way}"
+PARSERS["hemisphere"] = hemisphere, 1.0
+PARSERS["hemisphere-fr"] = partial(hemisphere, o="W"), 1.0
+PARSERS["hemisphere-de"] = partial(hemisphere, o="E"), 1.0
 """How a unit is read, and the factor to radians, metres or seconds.
 
-Of positions on the map and heights, the coordinate system has a say in the factor."""
-
-UNIT_WORDS = {
-    "rad": "radians",
-    "deg": "degrees",
-    "dms": "degrees, minutes and seconds",
-    "arcmin": "arc minutes",
-    "ddmm": "degrees and minutes without a sign between them",
-    "ms": "milliseconds",
-    "us": "microseconds",
-    "ns": "nanoseconds",
-    "s": "seconds",
-    "clock": "hours, minutes and seconds",
-    "date": "date",
-}
-UNIT_WORDS |= {
-    f"{unit}-west": f"{UNIT_WORDS[unit]}, positive to the west"
-    for unit in ("rad", "deg", "dms", "ddmm")
-}
+Of positions on the map and heights, the coordinate system has a say in the factor. The letter O is
+*ouest* in French and *Ost* in German."""
 
 _NAMES = {
-    "time": "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec",
+    "time": "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec zeit "
+    "temps",
     "date": "date day",
-    "latitude": "latitude lat",
-    "longitude": "longitude lon long lng",
+    "latitude": "latitude lat breite latitudes lats",
+    "longitude": "longitude lon long lng laenge länge longitudew lonw longitudewest lonwest "
+    "westlongitude",
     "latitude_hemisphere": "latitudehemisphere ns northsouth lathemisphere lathemi latdir latns",
-    "longitude_hemisphere": "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew",
-    "height": "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht",
+    "longitude_hemisphere": "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew we "
+    "eo oe estouest ow wo ostwest",
+    "height": "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht höhe hoehe "
+    "hauteur altitudeellipsoid ellipsoidaltitude ellipsoidalaltitude altitudeellipsoidal",
     "sea_height": "altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
-    "roll": "roll",
-    "pitch": "pitch",
-    "heading": "heading yaw azimuth hdg trueheading",
+    "roll": "roll roulis",
+    "pitch": "pitch tangage",
+    "heading": "heading yaw azimuth hdg trueheading cap",
     "easting": "easting east x e",
     "northing": "northing north y n",
     "north_sd": "northsd northingsd latitudesd latsd sdnorth latitudestd northstd",
@@ -162,6 +144,7 @@ def trajectory_of(
         Where a column is missing, a row cannot be read, or the values cannot be a trajectory.
     """
     chosen = _chosen(path, columns, conventions)
+    _require_known_units(path, chosen)
     grid = _grid_of(path, chosen, conventions)
     lengths = _lengths(path, chosen, grid)
     factors = {role: length.metres for role, length in lengths.items()}
@@ -230,6 +213,9 @@ def accuracy_of(
     """
     chosen = [_one(path, columns, "time"), *(_one(path, columns, role) for role in SIGMAS)]
     chosen += [column for column in columns if column.role == "date"]
+    _require_known_units(path, chosen)
+    for column in chosen[1:7]:
+        _require_kind(path, column, "an angle" if column.role in SIGMAS[3:] else "a length")
     values, numbers = _read(path, rows, chosen)
     time, _ = _times(path, values, conventions)
     require_increasing(time, path, "text", numbers)
@@ -325,21 +311,48 @@ def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[st
     """
     lengths: dict[str, Length] = {}
     for column in chosen:
-        is_length = column.unit == UNSTATED or column.unit in LENGTHS
-        wanted = "an angle" if column.role in (*POSITION, *ATTITUDE) else "a length"
-        if column.role not in ("time", "date", *HEMISPHERES) and is_length is not (
-            wanted == "a length"
-        ):
-            unit = column.unit or "none"
-            raise InputError(
-                f"{path}: column {column.name} is in {UNIT_WORDS.get(unit, unit)} by its header, "
-                f"and should be {wanted}; mend the header, or export it again."
-            )
+        if column.role not in ("time", "date", *HEMISPHERES):
+            is_angle = column.role in (*POSITION, *ATTITUDE)
+            _require_kind(path, column, "an angle" if is_angle else "a length")
         if column.role in GRID and grid is not None:
             lengths[column.role] = grid.unit(column.name, column.unit)
         elif column.role in HEIGHTS:
             lengths[column.role] = unit_of_heights(column.name, column.unit, grid)
     return lengths
+
+
+def _require_kind(path: Path, column: Column, wanted: Literal["an angle", "a length"]) -> None:
+    """Refuse a unit that does not fit what the column is.
+
+    Raises
+    ------
+    InputError
+    """
+    if wanted == "an angle":
+        fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_CODES
+    else:
+        fits = column.unit in (UNSTATED, *LENGTHS)
+    if not fits:
+        raise InputError(
+            f"{path}: column {column.name} is in {UNIT_WORDS.get(column.unit, 'no unit')} by its "
+            f"header, and should be {wanted}; mend the header, or export it again."
+        )
+
+
+def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
+    """Refuse columns whose header states a unit that is not known, or that is ambiguous.
+
+    Raises
+    ------
+    InputError
+    """
+    for column in columns:
+        if column.unit.startswith(UNKNOWN):
+            stated = column.unit[len(UNKNOWN) :].strip() or "its unit"
+            raise InputError(
+                f"{path}: the header states {stated!r} for column {column.name}, which is not a "
+                "known unit or has two meanings; set the unit, or mend the header."
+            )
 
 
 def _read(

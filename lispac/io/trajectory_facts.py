@@ -2,11 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.frames import ECCENTRICITY_SQUARED, SEMI_MAJOR_AXIS
+from lispac.messages import Level, Message
+from lispac.survey.source import printable
 from lispac.survey.time_base import base_of, plausible
 from lispac.survey.time_quality import time_quality
 from lispac.survey.trajectory import LONGEST_GAP
@@ -226,6 +229,39 @@ def course_doubts(
             f"the middle at {fast:.3g} m/s; look at the track and process the trajectory again.",
         )
     return (*said, *_heading_doubts(motions, headings))
+
+
+OTHER_UNIT, SAME_UNIT = np.radians(30.0), np.radians(10.0)
+"""Median differences of heading and course that contradict, and that confirm, a unit."""
+
+
+def angle_unit_messages(
+    path: Path, motion: Motion, heading: Array, unit: float
+) -> tuple[Message, ...]:
+    """A warning where the headings agree with the course in the other of degrees and radians.
+
+    Parameters
+    ----------
+    heading : ndarray of shape (n,), radians
+        As read in the unit taken.
+    unit : float, radians
+        One of the unit taken.
+    """
+    degree = float(np.radians(1.0))
+    other = 1.0 if unit == degree else degree
+    if unit not in (1.0, degree):
+        return ()
+    own, turned = (
+        _heading_differences([motion], [heading * factor]) for factor in (1.0, other / unit)
+    )
+    if len(own) < 20 or len(turned) < 20:
+        return ()
+    if np.median(np.abs(own)) < OTHER_UNIT or np.median(np.abs(turned)) > SAME_UNIT:
+        return ()
+    code = "trajectory.angles_in_radians" if unit == degree else "trajectory.angles_in_degrees"
+    difference = float(np.median(np.abs(own)))
+    file = printable(path.name)
+    return (Message(code, Level.WARNING, {"file": file, "difference": difference}),)
 
 
 def _heading_doubts(

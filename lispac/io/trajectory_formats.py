@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.ascii_trajectory import (
+    ATTITUDE_CHOICES,
     DEFAULTS,
     LENGTH_CHOICES,
+    POSITION_CHOICES,
     look_ascii,
     read_ascii,
     sniff_ascii,
@@ -255,10 +257,10 @@ ASCII = _format(
         Option(
             "position",
             "Unit of latitude and longitude.",
-            ("degrees", "radians", "dms", "degrees-minutes"),
+            POSITION_CHOICES,
             "degrees",
         ),
-        Option("attitude", "Unit of roll, pitch and heading.", ("degrees", "radians"), "degrees"),
+        Option("attitude", "Unit of roll, pitch and heading.", ATTITUDE_CHOICES, "degrees"),
         Option(
             "grid_unit",
             "Unit of eastings and northings; empty: as in the coordinate system, of whose kind "

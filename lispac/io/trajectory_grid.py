@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.units import UNITS
 from lispac.survey.crs_area import meant_elsewhere
 
 if TYPE_CHECKING:
@@ -15,11 +16,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-LENGTHS = {"m": 1.0, "ft": 0.3048, "int-ft": 0.3048, "us-ft": 1200 / 3937}
+LENGTHS = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
 """Metres in each unit; ``ft`` are feet of which the file does not say which."""
 UNSTATED = ""
 """Unit of a length of which the file says none."""
-LENGTH_WORDS = {1.0: "metres", 0.3048: "feet of 0.3048 m", 1200 / 3937: "US survey feet"}
+LENGTH_WORDS = {unit.si: unit.words for unit in UNITS.values() if unit.kind == "length"}
 """Names of the units by the metres in them."""
 
 

@@ -22,6 +22,7 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_facts import (
+    angle_unit_messages,
     course_doubts,
     duration_words,
     facts_of,
@@ -29,6 +30,7 @@ from lispac.io.trajectory_facts import (
     time_doubts,
 )
 from lispac.io.trajectory_velocities import speed_doubts
+from lispac.io.units import UNITS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
@@ -93,7 +95,9 @@ def look_at_text(
     doubts += time_doubts(first.time, conventions.time)
     doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]])
     doubts += speed_doubts(path, head, layout.velocities, motion)
-    return Finding(facts, rows, choice, tuple(doubts), first.assumptions)
+    unit = next(column.unit for column in layout.columns if column.role == "heading")
+    messages = angle_unit_messages(path, motion, first.attitude[:, 2], UNITS[unit].si)
+    return Finding(facts, rows, choice, tuple(doubts), first.assumptions, messages)
 
 
 def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> Finding:

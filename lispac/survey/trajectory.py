@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.messages import Level, Message
 from lispac.survey.states_between import densified
 
 Array = NDArray[np.float64]
@@ -18,6 +19,7 @@ LONGEST_GAP = 1.5
 exports come at 1 Hz."""
 TICK = 1e-4
 """Seconds over which an angular rate is brought to another frame."""
+COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
 STEEPEST = float(np.radians(80.0))
 """Pitch beyond which roll and heading run too fast to be interpolated; at 90 deg they are one."""
 
@@ -38,6 +40,8 @@ class Trajectory:
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
     assumptions : tuple of str
         What the reader took for granted, in words.
+    messages : tuple of Message
+        Warnings and notes about the states.
     velocity : ndarray of shape (n, 3), metres a second, or None
         Towards north, west, up, where the file has it.
     attitude_rate : ndarray of shape (n, 3), radians a second, or None
@@ -50,6 +54,7 @@ class Trajectory:
     height: Array
     attitude: Array
     assumptions: tuple[str, ...] = ()
+    messages: tuple[Message, ...] = ()
     velocity: Array | None = None
     attitude_rate: Array | None = None
 
@@ -85,10 +90,8 @@ class Trajectory:
             attitude=self.attitude[placed],
             velocity=None if self.velocity is None else self.velocity[placed],
             attitude_rate=None if self.attitude_rate is None else self.attitude_rate[placed],
-            assumptions=(
-                *self.assumptions,
-                f"{count:,} states without a position (latitude and longitude 0, as before the "
-                "GNSS has a fix) are left out",
+            messages=(
+                *self.messages, Message("trajectory.no_position", Level.NOTE, {"count": count})
             ),
         )  # fmt: skip
 
@@ -179,6 +182,8 @@ class LocalTrajectory:
         Roll, pitch, heading against the axes of the local frame, without jumps by 2 pi.
     longest_gap : float, seconds
         Between two states that may be bridged.
+    messages : tuple of Message
+        Warnings and notes about the states.
     curve_error : ndarray of shape (n - 1, 6), metres and radians, or None
         By how much states that were inserted between those of the file may be off.
     """
@@ -188,6 +193,7 @@ class LocalTrajectory:
     position: Array
     attitude: Array
     longest_gap: float = LONGEST_GAP
+    messages: tuple[Message, ...] = ()
     curve_error: Array | None = None
 
     @classmethod
@@ -216,7 +222,7 @@ class LocalTrajectory:
             )
         attitude = np.unwrap(attitude, axis=0)
         if trajectory.velocity is None and trajectory.attitude_rate is None:
-            return cls(frame, trajectory.time, position, attitude, longest_gap)
+            return cls(frame, trajectory.time, position, attitude, longest_gap, trajectory.messages)
         derivatives = np.zeros((len(position), 6))
         if trajectory.velocity is not None:
             velocity = trajectory.velocity[:, :, None]
@@ -227,9 +233,14 @@ class LocalTrajectory:
             derivatives[:, 3:] = (np.remainder(turned + np.pi, 2 * np.pi) - np.pi) / TICK
         states = np.hstack([position, attitude])
         dense = densified(trajectory.time, states, derivatives, longest_gap)
+        messages = trajectory.messages
+        if dense.unused:
+            names = tuple(COMPONENTS[k] for k in dense.unused)
+            messages += (Message("trajectory.rates_not_used", Level.NOTE, {"names": names}),)
         return cls(
-            frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, dense.error
-        )
+            frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, messages,
+            dense.error,
+        )  # fmt: skip
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:

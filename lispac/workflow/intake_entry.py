@@ -258,6 +258,9 @@ def _filled(entry: Entry, progress: Progress) -> Entry:
     assert isinstance(content, Trajectory | TrajectoryAccuracy)
     if isinstance(content, Trajectory):
         content = content.with_positions_only()
+        if content.messages and entry.finding is not None:
+            messages = tuple(dict.fromkeys((*entry.finding.messages, *content.messages)))
+            entry = replace(entry, finding=replace(entry.finding, messages=messages))
     return replace(entry, content=content)
 
 

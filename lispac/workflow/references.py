@@ -188,7 +188,10 @@ def _read_points(
     path: Path, system: CoordinateSystem | None, trajectory: LocalTrajectory
 ) -> tuple[list[tuple[ListedPoint, Array]], str]:
     geographic = system is not None and system.is_geographic
-    found = read_point_list(path, local=system is None, degrees=geographic, check=True)
+    metres = (1.0, 1.0, 1.0) if system is None else system.metres
+    found = read_point_list(
+        path, local=system is None, degrees=geographic, check=True, metres=metres
+    )
     placed = []
     for number, point in enumerate(found.points, start=1):
         name = point.name or f"P{number}"

@@ -92,7 +92,10 @@ def read_seeds(
         With the row.
     """
     geographic = system is not None and system.is_geographic
-    points = read_point_list(path, columns=columns, local=system is None, degrees=geographic)
+    metres = (1.0, 1.0, 1.0) if system is None else system.metres
+    points = read_point_list(
+        path, columns=columns, local=system is None, degrees=geographic, metres=metres
+    )
     taken = {target.name for target in project.targets}
     # Names that the list does not give are the next free ones.
     numbered = project

@@ -5678,8 +5678,148 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path}, ligne {row} : la valeur ({place}) porte un signe moins et un hémisphère ; exportez l&apos;un des deux, ou nommez - la colonne de l&apos;hémisphère.</translation>
     </message>
     <message>
-        <source>{count:n} states without a position (latitude and longitude 0, as before the GNSS has a fix) are left out</source>
-        <translation>{count} états sans position (latitude et longitude nulles, comme avant le premier point GNSS) sont écartés</translation>
+        <source>The velocities or angular rates of the trajectory contradict its states in {names:list}. These are interpolated linearly. Check the export of velocities and rates.</source>
+        <translation>Les vitesses ou les vitesses angulaires de la trajectoire contredisent ses états en : {names}. Ces composantes sont interpolées linéairement. Vérifiez l&apos;export des vitesses.</translation>
+    </message>
+    <message>
+        <source>{count:n} states of the trajectory have no position (latitude and longitude are 0, as before the GNSS has a fix). They are excluded. Start the export at the first fix.</source>
+        <translation>{count} états de la trajectoire n&apos;ont pas de position (latitude et longitude nulles, comme avant le premier point GNSS). Ils sont exclus. Faites commencer l&apos;export au premier point.</translation>
+    </message>
+    <message>
+        <source>{file:kept}: the columns {stated:list} state a unit, but {option:kept} is set to {given:kept}. The values are read in the unit that is set, and all results depend on it. Check the option.</source>
+        <translation>{file} : les colonnes {stated} indiquent une unité, mais {option} vaut {given}. Les valeurs sont lues dans l&apos;unité choisie, dont dépendent tous les résultats. Vérifiez l&apos;option.</translation>
+    </message>
+    <message>
+        <source>{file:kept}: the columns {columns:list} have the same meaning. {used:kept} is used. State the columns if that is the wrong one.</source>
+        <translation>{file} : les colonnes {columns} ont le même sens. {used} est utilisée. Indiquez les colonnes si ce n&apos;est pas la bonne.</translation>
+    </message>
+    <message>
+        <source>{file:kept}: the unit in the title of column {column:kept} is not known. {used} are taken. Check it.</source>
+        <translation>{file} : l&apos;unité dans le titre de la colonne {column} est inconnue. Unité retenue : {used}. Vérifiez-la.</translation>
+    </message>
+    <message>
+        <source>{file:kept}: heading and course differ by {difference:n} deg, but agree if the angles are radians. The angles are read as degrees, so all results will be wrong. Set radians.</source>
+        <translation>{file} : le cap et la route diffèrent de {difference}°, mais concordent si les angles sont en radians. Les angles sont lus en degrés, donc tous les résultats seront faux. Choisissez les radians.</translation>
+    </message>
+    <message>
+        <source>{file:kept}: heading and course differ by {difference:n} deg, but agree if the angles are degrees. The angles are read as radians, so all results will be wrong. Set degrees.</source>
+        <translation>{file} : le cap et la route diffèrent de {difference}°, mais concordent si les angles sont en degrés. Les angles sont lus en radians, donc tous les résultats seront faux. Choisissez les degrés.</translation>
+    </message>
+    <message>
+        <source>{path:file}: column {n:n} holds the letter O, which is west in French (ouest) and east in German (Ost); name it eo (O is west) or ow (O is east) in the option columns.</source>
+        <translation>{path} : la colonne {n} contient la lettre O, qui signifie ouest en français et est (Ost) en allemand ; nommez-la eo (O est l&apos;ouest) ou ow (O est l&apos;est) dans l&apos;option columns.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the {role} is in {n:n} columns ({names:list}); export it in one, as decimal degrees.</source>
+        <translation>{path} : la {role} occupe {n} colonnes ({names}) ; exportez-la en une seule, en degrés décimaux.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the header states {stated:kept} for column {name:kept}, which is not a known unit or has two meanings; set the unit, or mend the header.</source>
+        <translation>{path} : l&apos;en-tête indique {stated} pour la colonne {name}, ce qui n&apos;est pas une unité connue ou a deux sens ; choisissez l&apos;unité ou corrigez l&apos;en-tête.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the titles of the columns do not state one unit of length for x, y and z ({words:list}); export them in one unit, or set the unit (option unit).</source>
+        <translation>{path} : les titres des colonnes n&apos;indiquent pas une seule unité de longueur pour x, y et z ({words}) ; exportez-les dans une seule unité ou choisissez l&apos;unité (option unit).</translation>
+    </message>
+    <message>
+        <source>{axis:kept} in {unit}</source>
+        <translation>{axis} en {unit}</translation>
+    </message>
+    <message>
+        <source>a unit that is not known</source>
+        <translation>une unité inconnue</translation>
+    </message>
+    <message>
+        <source>{path:file}: the points are in polar coordinates ({names:list}); export x, y and z in the scanner frame.</source>
+        <translation>{path} : les points sont en coordonnées polaires ({names}) ; exportez x, y et z dans le repère du scanner.</translation>
+    </message>
+    <message>
+        <source>{path:file}: column {title:kept} should be {wanted}, in a unit that is known; correct its title or its values.</source>
+        <translation>{path} : la colonne {title} devrait être {wanted}, dans une unité connue ; corrigez son titre ou ses valeurs.</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>yards</source>
+        <translation>yards</translation>
+    </message>
+    <message>
+        <source>fathoms</source>
+        <translation>brasses</translation>
+    </message>
+    <message>
+        <source>milliradians</source>
+        <translation>milliradians</translation>
+    </message>
+    <message>
+        <source>gons</source>
+        <translation>grades</translation>
+    </message>
+    <message>
+        <source>arc seconds</source>
+        <translation>secondes d&apos;arc</translation>
+    </message>
+    <message>
+        <source>minutes of time</source>
+        <translation>minutes de temps</translation>
+    </message>
+    <message>
+        <source>hours</source>
+        <translation>heures</translation>
+    </message>
+    <message>
+        <source>radians, positive to the south</source>
+        <translation>radians, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>degrees, positive to the south</source>
+        <translation>degrés, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>milliradians, positive to the west</source>
+        <translation>milliradians, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>milliradians, positive to the south</source>
+        <translation>milliradians, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>gons, positive to the west</source>
+        <translation>grades, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>gons, positive to the south</source>
+        <translation>grades, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>arc minutes, positive to the west</source>
+        <translation>minutes d&apos;arc, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>arc minutes, positive to the south</source>
+        <translation>minutes d&apos;arc, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>arc seconds, positive to the west</source>
+        <translation>secondes d&apos;arc, positifs vers l&apos;ouest</translation>
+    </message>
+    <message>
+        <source>arc seconds, positive to the south</source>
+        <translation>secondes d&apos;arc, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>degrees, minutes and seconds, positive to the south</source>
+        <translation>degrés, minutes et secondes, positifs vers le sud</translation>
+    </message>
+    <message>
+        <source>degrees and minutes without a sign between them, positive to the south</source>
+        <translation>degrés et minutes sans signe entre eux, positifs vers le sud</translation>
     </message>
     <message>
         <source>None of the states of the trajectory has a position (latitude and longitude are 0 everywhere); export it from where the GNSS has a fix.</source>

@@ -1,0 +1,194 @@
+"""Units that files name in the titles of their columns: one table for all readers."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+Kind = Literal["length", "angle", "time", "notation"]
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit, or a notation of numbers.
+
+    Attributes
+    ----------
+    kind : {"length", "angle", "time", "notation"}
+    si : float
+        Metres, radians or seconds in it; of a notation, in what it is parsed to.
+    words : str
+    """
+
+    kind: Kind
+    si: float
+    words: str
+
+
+FOOT, US_FOOT = 0.3048, 1200 / 3937
+_TURN = 2 * np.pi
+UNITS = {
+    "m": Unit("length", 1.0, "metres"),
+    "km": Unit("length", 1000.0, "kilometres"),
+    "cm": Unit("length", 0.01, "centimetres"),
+    "mm": Unit("length", 0.001, "millimetres"),
+    "ft": Unit("length", FOOT, "feet of 0.3048 m"),
+    "int-ft": Unit("length", FOOT, "feet of 0.3048 m"),
+    "us-ft": Unit("length", US_FOOT, "US survey feet"),
+    "in": Unit("length", FOOT / 12, "inches"),
+    "yd": Unit("length", 3 * FOOT, "yards"),
+    "fathom": Unit("length", 6 * FOOT, "fathoms"),
+    "rad": Unit("angle", 1.0, "radians"),
+    "mrad": Unit("angle", 0.001, "milliradians"),
+    "deg": Unit("angle", _TURN / 360, "degrees"),
+    "gon": Unit("angle", _TURN / 400, "gons"),
+    "arcmin": Unit("angle", _TURN / 360 / 60, "arc minutes"),
+    "arcsec": Unit("angle", _TURN / 360 / 3600, "arc seconds"),
+    "dms": Unit("notation", _TURN / 360, "degrees, minutes and seconds"),
+    "ddmm": Unit("notation", _TURN / 360, "degrees and minutes without a sign between them"),
+    "s": Unit("time", 1.0, "seconds"),
+    "ms": Unit("time", 1e-3, "milliseconds"),
+    "us": Unit("time", 1e-6, "microseconds"),
+    "ns": Unit("time", 1e-9, "nanoseconds"),
+    "min": Unit("time", 60.0, "minutes of time"),
+    "h": Unit("time", 3600.0, "hours"),
+    "clock": Unit("notation", 1.0, "hours, minutes and seconds"),
+    "date": Unit("notation", 1.0, "date"),
+}
+"""Units by their code; ``ft`` are feet of which the file does not say which."""
+ANGLE_CODES = tuple(
+    code for code, unit in UNITS.items() if unit.kind == "angle" or code in ("dms", "ddmm")
+)
+UNKNOWN = "?"
+"""Code of a unit that is stated and not known."""
+
+_FORMS = (
+    (r"hh\W*mm", "clock"),
+    (r"yyyy\W*mm", "date"),
+    (r"arc.?min", "arcmin"),
+    (r"arc.?sec", "arcsec"),
+    (r"degr?[ée]?s?\W+min|\bdms\b", "dms"),
+    (r"\bddd?mm", "ddmm"),
+    (r"\bgons?\b|\bgrades\b", "gon"),
+    (r"\bgrads?\b|\bgrd\b", UNKNOWN),  # gons in English and French, degrees in German
+    (r"milli.?rad|\bmrad", "mrad"),
+    (r"deg|°|\bdd\b", "deg"),
+    (r"rad", "rad"),
+    (r"survey[\s_-]*(feet|foot|ft)|\bu\.?s\.?[\s_-]*(feet|foot|ft)\b", "us-ft"),
+    (r"\bft[\s_-]*\(?us\b|\bsft\b", "us-ft"),
+    (r"\bint\w*\.?[\s_-]*(feet|foot|ft)\b|\bift\b|\bft[\s_-]*\(?int", "int-ft"),
+    (r"\bfeet\b|\bfoot\b|\bft\b|\bpieds?\b|\bfu(ß|ss)\b", "ft"),
+    (r"kilom[eè]t|\bkm\b", "km"),
+    (r"centim[eè]t|\bcm\b", "cm"),
+    (r"millim[eè]t|\bmm\b", "mm"),
+    (r"\binch(es)?\b|^in\.?$", "in"),
+    (r"\byards?\b|\byds?\b", "yd"),
+    (r"\bfathoms?\b|\bftm\b|\bbrasses?\b", "fathom"),
+    (r"m[eè]t(er|re)|\bm\b", "m"),
+    (r"milli.?se[ck]|\bmse?c?\b", "ms"),
+    (r"micro.?se[ck]|\b[uµμ]se?c?\b", "us"),
+    (r"nano.?se[ck]|\bnse?c?\b", "ns"),
+    (r"second|sekund|\bse[ck]s?\b|\bs\b", "s"),
+    (r"^min(ute)?s?\.?$", "min"),
+    (r"^h(ou)?rs?\.?$|^h$|^heures?$|^stunden?$", "h"),
+)
+"""Descriptions of units, the first that fits first."""
+_REMARKS = re.compile(
+    r"(true|grid|mag|wgs|nad|itrf|etrs|rgf|ellips|geoid|ortho|msl|navd|egm|utm|local|lidar|scan|body"
+    r"|imu|ins|ref|vessel|frame|utc|gps|tai|unix|tow|sow|week|north|east|south|west|nord|sud|süd|est"
+    r"|ost|ouest|up|down|raw|filt|pos|neg|bow|nose|port|star|left|right)\w*|[nsewxyzud]|[+-]|",
+    re.IGNORECASE,
+)
+"""What stands in brackets behind a name and is no unit."""
+
+_BRACKETS = re.compile(r"\s*_?[\[({<]\s*([^\])}>]*?)\s*[\])}>]\s*$")
+_SUFFIX = re.compile(
+    r"(?:_+|\s+|-)(deg(?:rees?)?|m?rad|gon|dms|m|km|cm|mm|(?:us|i)?ft|ft_?us|feet|s|secs?|ms|us|ns"
+    r"|metres|meters|seconds)$",
+    re.IGNORECASE,
+)
+_CAMEL = re.compile(r"(?<=[a-z])(Deg|Rad|DMS|M|Ft)$")
+
+
+def split_title(title: str) -> tuple[str, str]:
+    """Name and unit of a column by its title: ``Height (ft)``, ``roll_deg``, ``LatDeg``."""
+    text = title.strip()
+    for form in (_BRACKETS, _SUFFIX, _CAMEL):
+        mark = form.search(text)
+        if mark and mark.start() > 0:
+            return re.sub(r"[\s_]+(in)?$", "", text[: mark.start()]), mark[1]
+    return text, ""
+
+
+def unit_of(words: str) -> str:
+    """Code of the unit that a description names; empty where it names none."""
+    return next((code for form, code in _FORMS if re.search(form, words.strip().lower())), "")
+
+
+def stated_unit(title: str) -> str:
+    """Code of the unit in a column's title; empty where there is none, else `UNKNOWN`."""
+    words = split_title(title)[1]
+    if code := _unit_before_direction(words):
+        return code
+    return "" if all(map(_REMARKS.fullmatch, re.split(r"[\s,;/._]+", words))) else UNKNOWN
+
+
+def _unit_before_direction(words: str) -> str:
+    """Code of a unit that may have a direction behind it: in ``deg S`` the S are no seconds."""
+    head, _, last = words.rpartition(" ")
+    return (unit_of(head) if _direction(last) else "") or unit_of(words)
+
+
+_DIRECTIONS = {
+    "west": ("w", "west", "ouest"),
+    "south": ("s", "south", "sud", "süd", "sued"),
+    "east": ("e", "east", "est", "ost"),
+    "north": ("n", "north", "nord"),
+    UNKNOWN: ("o",),  # ouest in French, Ost in German
+}
+
+
+def _direction(word: str) -> str:
+    bare = word.lower().strip("()[]{}.,+-")
+    return next((name for name, words in _DIRECTIONS.items() if bare in words), "")
+
+
+def direction_of(title: str) -> str:
+    """Direction in which a column of longitudes or latitudes counts, by its title.
+
+    Returns
+    -------
+    {"north", "south", "east", "west", `UNKNOWN`, ""}
+        Empty where the title names none.
+    """
+    name, words = split_title(title)
+    for word in reversed(re.split(r"[\s,;/_+]+", words)):
+        if found := _direction(word):
+            return found
+    parts = re.split(r"[\s_.-]+", name)
+    for word in (parts[-1], parts[0]) if len(parts) > 1 else ():
+        if (found := _direction(word)) and word.lower() not in ("s", "n", "e"):
+            return found
+    camel = re.search(r"(?<=[a-z])(West|South|Ouest|Sud|W)$", name)
+    return _direction(camel[1]) if camel else ""
+
+
+def is_units_row(fields: Sequence[str]) -> bool:
+    """Whether the fields of a row are units, as stands below the names of columns."""
+    stated = [field.strip(" []()") for field in fields]
+    known = [bool(_unit_before_direction(field)) for field in stated if field not in NO_UNIT]
+    return len(known) >= 2 and all(known) and all(len(field) < 24 for field in stated)
+
+
+NO_UNIT = ("", "-", "--", "none", "n/a", "1")
+
+
+def with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:
+    """Titles of columns out of a row of names and the row of units below it."""
+    stated = [unit.strip(" []()") for unit in units]
+    return [
+        name if unit in NO_UNIT else f"{name} [{unit}]"
+        for name, unit in zip(names, stated, strict=True)
+    ]

@@ -1,0 +1,385 @@
+"""Units, directions and hemispheres in text: used, or refused with the cause, never ignored."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.formats import format_of, recognised
+from lispac.io.registry import Finding, PointChunk
+from lispac.io.seed_file import read_point_list
+from lispac.io.units import UNKNOWN, direction_of, is_units_row, split_title, stated_unit
+from lispac.messages import Level
+from lispac.survey.trajectory import Trajectory
+
+COUNT = 80
+TIME = 1000 + 0.1 * np.arange(COUNT)
+LATITUDE, LONGITUDE = -33.85 + 1e-6 * np.arange(COUNT), -69.25 - 2e-6 * np.arange(COUNT)
+HEADING = float(np.degrees(np.arctan2(-2 * np.cos(np.radians(33.85)), 1))) % 360
+HEIGHT, ROLL, PITCH = 12.5, 1.0, -2.0
+REST = f"{HEIGHT},{ROLL},{PITCH},{HEADING:.6f}"
+XYZ = np.stack([0.1 * np.arange(COUNT), 5 + 0.02 * np.arange(COUNT), -2 + 0.0 * TIME], axis=1)
+Row = Callable[[float, float, float], str]
+
+
+def minutes(value: float, digits: int) -> str:
+    degrees, rest = divmod(round(abs(value) * 60, 9), 60)
+    return f"{int(degrees):0{digits}d}{rest:012.9f}"
+
+
+def seconds(value: float, between: str) -> str:
+    whole = round(abs(value) * 3600, 7)
+    return between.join(
+        (f"{int(whole // 3600)}", f"{int(whole % 3600 // 60)}", f"{whole % 60:.7f}")
+    )
+
+
+def write(path: Path, head: str, row: Row) -> Path:
+    rows = [row(t, a, o) for t, a, o in zip(TIME, LATITUDE, LONGITUDE, strict=True)]
+    path.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    return path
+
+
+def looked_at(path: Path) -> Finding:
+    return recognised(path, "trajectory")[0][0].look(path, {})
+
+
+def read(path: Path) -> Trajectory:
+    format = recognised(path, "trajectory")[0][0]
+    found = format.read(path, format.look(path, {}).choice)
+    assert isinstance(found, Trajectory)
+    return found.with_positions_only()
+
+
+T = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading"
+RIGHT: dict[str, tuple[str, Row]] = {
+    "E/O is French": (
+        "Time,Latitude,N/S,Longitude,E/O,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}",
+    ),
+    "O/W is German": (
+        "Time,Latitude,N/S,Longitude,O/W,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},W,{REST}",
+    ),
+    "words": (
+        "Time,Latitude,A,Longitude,B,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},Sud,{-o:.9f},Ouest,{REST}",
+    ),
+    "row of units": (
+        f"{T}\ns,deg,deg,ft,rad,rad,rad",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{HEIGHT / 0.3048:.6f},"
+        f"{np.radians(ROLL):.9f},{np.radians(PITCH):.9f},{np.radians(HEADING):.9f}",
+    ),
+    "row of units with directions": (
+        f"{T}\n[ms],[deg S],[deg W],[m],[deg],[deg],[deg]",
+        lambda t, a, o: f"{1000 * t:.1f},{-a:.9f},{-o:.9f},{REST}",
+    ),
+    "LongitudeW": (
+        T.replace("Longitude", "LongitudeW"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}",
+    ),
+    "gons": (
+        "Time,Latitude [deg],Longitude [deg],Height [m],Roll [gon],Pitch [gon],Heading [gon]",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{HEIGHT},{ROLL / 0.9:.9f},{PITCH / 0.9:.9f},"
+        f"{HEADING / 0.9:.9f}",
+    ),
+    "a unit for each column": (
+        "Time,Latitude [arcmin],Longitude [deg],Height [cm],Roll [deg],Pitch [mrad],Heading [rad]",
+        lambda t, a, o: f"{t:.2f},{60 * a:.9f},{o:.9f},{100 * HEIGHT},{ROLL},"
+        f"{1000 * np.radians(PITCH):.9f},{np.radians(HEADING):.9f}",
+    ),
+    "suffixes": (
+        "time_ms,lat_deg,lon_deg,height_ft,roll_deg,pitch_deg,heading_deg",
+        lambda t, a, o: f"{1000 * t:.1f},{a:.9f},{o:.9f},{HEIGHT / 0.3048:.6f},{ROLL},{PITCH},"
+        f"{HEADING:.6f}",
+    ),
+    "fathoms": (
+        T.replace("Height", "Height [fathoms]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{HEIGHT / 1.8288:.9f},{ROLL},{PITCH},"
+        f"{HEADING:.6f}",
+    ),
+    "NMEA with its zeros": (
+        "Time,Latitude,N/S,Longitude,E/W,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{minutes(a, 2)},S,{minutes(o, 3)},W,{REST}",
+    ),
+    "NMEA with letters behind": (
+        T, lambda t, a, o: f"{t:.2f},{minutes(a, 2)}S,{minutes(o, 3)}W,{REST}",
+    ),
+    "hyphens between degrees, minutes and seconds": (
+        T, lambda t, a, o: f"{t:.2f},-{seconds(a, '-')},-{seconds(o, '-')},{REST}",
+    ),
+    "French": (
+        "Temps;Latitude;N/S;Longitude;E/O;Hauteur;Roulis;Tangage;Cap",
+        lambda t, a, o: f"{t:.2f};{-a:.9f};S;{-o:.9f};O;{REST.replace(',', ';')}",
+    ),
+    "minutes of time": (
+        T.replace("Time", "Time [min]"),
+        lambda t, a, o: f"{t / 60:.9f},{a:.9f},{o:.9f},{REST}",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("notation", RIGHT)
+def test_what_the_header_states_is_used(tmp_path: Path, notation: str) -> None:
+    found = read(write(tmp_path / "track.csv", *RIGHT[notation]))
+    np.testing.assert_allclose(found.time - found.time[0], TIME - TIME[0], rtol=0, atol=1e-5)
+    np.testing.assert_allclose(np.degrees(found.latitude), LATITUDE, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(np.degrees(found.longitude), LONGITUDE, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(found.height, HEIGHT, atol=1e-5)
+    turned = np.degrees(found.attitude) * [1, -1, 1]
+    np.testing.assert_allclose(turned, np.tile([ROLL, PITCH, HEADING], (COUNT, 1)), atol=1e-5)
+
+
+def test_positions_near_the_origin_of_latitudes_in_minutes(tmp_path: Path) -> None:
+    """Degrees and minutes of less than 3 degrees look like degrees but for their zeros."""
+    head = "Time,Latitude,N/S,Longitude,E/W,Height,Roll,Pitch,Heading"
+    path = write(
+        tmp_path / "track.csv", head,
+        lambda t, a, o: f"{t:.2f},{minutes(a + 34, 2)},N,{minutes(o + 70, 3)},E,{REST}",
+    )  # fmt: skip
+    found = read(path)
+    np.testing.assert_allclose(np.degrees(found.latitude), LATITUDE + 34, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(np.degrees(found.longitude), LONGITUDE + 70, rtol=0, atol=1e-8)
+
+
+REFUSED: dict[str, tuple[str, Row, str]] = {
+    "O alone": (
+        "Time,Latitude,N/S,Longitude,Hemisphere of longitude,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}", "eo .* ow",
+    ),
+    "degrees that count to O": (
+        T.replace("Longitude", "Longitude [deg O]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}", "deg O",
+    ),
+    "grad": (
+        T.replace("Heading", "Heading [grad]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "grad",
+    ),
+    "a unit that nobody knows": (
+        T.replace("Height", "Height [cubits]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "cubits",
+    ),
+    "three columns": (
+        "Time,LatDeg,LatMin,LatSec,LonDeg,LonMin,LonSec,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{seconds(a, ',')},{seconds(o, ',')},{REST}", "3 columns",
+    ),
+    "an angle in metres": (
+        T.replace("Roll", "Roll [m]"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "should be an angle",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_is_ambiguous_is_refused_with_the_cause(tmp_path: Path, case: str) -> None:
+    head, row, cause = REFUSED[case]
+    with pytest.raises(InputError, match=cause):
+        read(write(tmp_path / "track.csv", head, row))
+
+
+@pytest.mark.parametrize(("name", "sign"), [("eo", -1), ("ow", 1)])
+def test_the_letter_o_can_be_explained(tmp_path: Path, name: str, sign: int) -> None:
+    path = write(
+        tmp_path / "track.csv", "Time,Latitude,N/S,Longitude,Hem,Height,Roll,Pitch,Heading",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}",
+    )  # fmt: skip
+    columns = f"time latitude latitude_hemisphere longitude {name} height roll pitch heading"
+    format = format_of("ascii-trajectory")
+    found = format.read(path, format.look(path, {"columns": columns}).choice)
+    assert isinstance(found, Trajectory)
+    np.testing.assert_allclose(np.degrees(found.longitude), -sign * LONGITUDE, rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("rows", [5, 90, 5000])
+def test_rows_before_the_first_fix_are_counted(tmp_path: Path, rows: int) -> None:
+    head = "\n".join([T, *(f"{100 + 0.1 * k:.1f},0.0,0,0,0,0,0" for k in range(rows))])
+    path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}")
+    found = read(path)
+    np.testing.assert_allclose(np.degrees(found.latitude), LATITUDE, rtol=0, atol=1e-8)
+    (message,) = found.messages
+    assert (message.code, message.level) == ("trajectory.no_position", Level.NOTE)
+    assert message.params["count"] == rows
+
+
+@pytest.mark.parametrize(
+    ("head", "angle", "codes"),
+    [
+        (T, HEADING, []),
+        (f"{T},Yaw", HEADING, []),  # the exact name goes before its synonym
+        (f"{T.replace('Heading', 'Yaw')},Azimuth", HEADING, ["text.two_columns"]),
+        (
+            T.replace("Heading", "Heading [deg]"), np.radians(HEADING),
+            ["trajectory.angles_in_radians"],
+        ),
+        (T.replace("Time", "Time [ticks]"), HEADING, ["text.unknown_unit"]),
+    ],
+)  # fmt: skip
+def test_titles_that_contradict_are_warnings(
+    tmp_path: Path, head: str, angle: float, codes: list[str]
+) -> None:
+    path = write(
+        tmp_path / "track.csv", head,
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},12.5,1,2,{angle:.6f},{angle:.6f}",
+    )  # fmt: skip
+    messages = looked_at(path).messages
+    assert [each.code for each in messages] == codes
+    assert all(each.level is Level.WARNING for each in messages)
+
+
+def test_an_option_against_the_header_is_a_warning(tmp_path: Path) -> None:
+    head = T.replace("Height", "Height [ft]")
+    path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}")
+    format = format_of("ascii-trajectory")
+    (message,) = format.look(path, {"heights": "metres"}).messages
+    assert (message.code, message.params["option"]) == ("text.unit_overridden", "heights")
+    assert message.actions[0].params == {"name": "heights", "value": "feet"}
+    assert not format.look(path, {"heights": "us-survey-feet"}).messages
+    np.testing.assert_allclose(read(path).height, HEIGHT * 0.3048, atol=1e-6)
+
+
+# -- points ---------------------------------------------------------------------------------------
+
+
+def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
+    np.savetxt(path, np.column_stack(columns), fmt="%.9f", delimiter=",", header=head, comments="")
+    text = format_of("text")
+    (chunk,) = text.read(path, text.look(path, {}).choice)
+    assert isinstance(chunk, PointChunk)
+    return chunk
+
+
+@pytest.mark.parametrize(
+    ("head", "second", "metre"),
+    [
+        ("time,x,y,z\ns,m,m,m", 1, 1),
+        ("time,x,y,z\nms,mm,mm,mm", 1e3, 1e3),
+        ("time ms,x_mm,y_mm,z_mm", 1e3, 1e3),
+        ("time,x [cm],y [cm],z [cm]", 1, 100),
+        ("time,x (in),y (in),z (in)", 1, 1 / 0.0254),
+        ("time,x [US survey feet],y [US survey feet],z [US survey feet]", 1, 3937 / 1200),
+    ],
+)
+def test_units_of_points_are_used(tmp_path: Path, head: str, second: float, metre: float) -> None:
+    chunk = points(tmp_path / "a.csv", head, TIME * second, *(XYZ * metre).T)
+    np.testing.assert_allclose(chunk.xyz, XYZ, rtol=1e-7, atol=1e-8)
+    np.testing.assert_allclose(chunk.time, TIME, rtol=1e-10)
+
+
+def test_an_elevation_in_degrees_is_no_height(tmp_path: Path) -> None:
+    head = "time,x,y,elevation [deg],h"
+    chunk = points(tmp_path / "a.csv", head, TIME, XYZ[:, 0], XYZ[:, 1], 0 * TIME + 7, XYZ[:, 2])
+    np.testing.assert_allclose(chunk.xyz, XYZ, atol=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("head", "cause"),
+    [
+        ("time,x,y,z[ft]", "one unit of length"),
+        ("time,x [m],y [m],z [cm]", "one unit of length"),
+        ("time,x [cubits],y [cubits],z [cubits]", "one unit of length"),
+        ("time,range,azimuth,elevation", "polar"),
+    ],
+)
+def test_units_of_points_that_differ_are_refused(tmp_path: Path, head: str, cause: str) -> None:
+    with pytest.raises(InputError, match=cause):
+        points(tmp_path / "a.csv", head, TIME, *XYZ.T)
+
+
+@pytest.mark.parametrize(
+    ("head", "choice", "codes"),
+    [
+        ("time,x,y,height,h", {}, ["text.two_columns"]),
+        ("time,x,y,height,up", {}, ["text.two_columns"]),
+        ("time,x,y,z,up", {}, []),
+        ("time [ms],x [mm],y [mm],z [mm],i", {"unit": "metre", "time_unit": "second"},
+         ["text.unit_overridden"] * 2),
+        ("time [ticks],x,y,z,i", {}, ["text.unknown_unit"]),
+    ],
+)  # fmt: skip
+def test_titles_of_points_that_contradict_are_warnings(
+    tmp_path: Path, head: str, choice: dict[str, str], codes: list[str]
+) -> None:
+    path = tmp_path / "a.csv"
+    np.savetxt(path, np.column_stack([TIME, XYZ, TIME]), delimiter=",", header=head, comments="")
+    messages = format_of("text").look(path, choice).messages
+    assert [each.code for each in messages] == codes
+
+
+# -- seeds ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("head", "factor"),
+    [
+        ("name,x,y,z", 1.0),
+        ("name,x [mm],y [mm],z [mm]", 1e-3),
+        ("name,x_ft,y_ft,z_ft", 0.3048),
+        ("name,north (cm),west (cm),up (cm)", 0.01),
+    ],
+)
+def test_units_of_seeds_are_used(tmp_path: Path, head: str, factor: float) -> None:
+    path = tmp_path / "seeds.csv"
+    path.write_text(f"{head}\nT1,100,200,50\n")
+    (point,) = read_point_list(path).points
+    assert point.coordinates == pytest.approx((100 * factor, 200 * factor, 50 * factor))
+
+
+def test_feet_of_seeds_are_those_of_the_system(tmp_path: Path) -> None:
+    path, foot = tmp_path / "seeds.csv", 1200 / 3937
+    path.write_text("name,easting [ft],northing [ft],height [m]\nT1,100,200,50\n")
+    (point,) = read_point_list(path, local=False, metres=(foot, foot, foot)).points
+    assert point.coordinates == pytest.approx((100, 200, 50 / foot))
+
+
+def test_seeds_to_the_west_and_in_radians(tmp_path: Path) -> None:
+    path = tmp_path / "seeds.csv"
+    path.write_text("name,latitude [rad],longitude [deg W],h\nT1,0.5,70.5,3\n")
+    (point,) = read_point_list(path, local=False, degrees=True).points
+    assert point.coordinates == pytest.approx((-70.5, np.degrees(0.5), 3))
+
+
+@pytest.mark.parametrize("title", ["x [cubits]", "x [deg]", "x [s]"])
+def test_seeds_in_another_unit_are_refused(tmp_path: Path, title: str) -> None:
+    path = tmp_path / "seeds.csv"
+    path.write_text(f"name,{title},y,z\nT1,100,200,50\n")
+    with pytest.raises(InputError, match="a length"):
+        read_point_list(path)
+
+
+@pytest.mark.parametrize(
+    ("title", "name", "unit", "direction"),
+    [
+        ("Latitude [deg]", "Latitude", "deg", ""),
+        ("Longitude (deg W)", "Longitude", "deg", "west"),
+        ("Longitude_W", "Longitude_W", "", "west"),
+        ("Latitude [deg S]", "Latitude", "deg", "south"),
+        ("Time (GPS s)", "Time", "s", "south"),
+        ("Height (ellipsoidal)", "Height", "", ""),
+        ("Heading (true)", "Heading", "", ""),
+        ("height in m", "height", "m", ""),
+        ("Easting_ftUS", "Easting", "us-ft", ""),
+        ("RollDeg", "Roll", "deg", ""),
+        ("Dir [grad]", "Dir", UNKNOWN, ""),
+        ("lon [O]", "lon", UNKNOWN, UNKNOWN),
+        ("intensity_raw", "intensity_raw", "", ""),
+        ("E", "E", "", ""),
+    ],
+)
+def test_titles_are_taken_apart(title: str, name: str, unit: str, direction: str) -> None:
+    assert split_title(title)[0] == name
+    assert stated_unit(title) == unit
+    assert direction_of(title) == direction
+
+
+@pytest.mark.parametrize(
+    ("row", "units"),
+    [
+        (["s", "deg", "deg W", "m"], True), (["[s]", "[°]", "", "[m]"], True),
+        (["(sec)", "(ft)", "-", "(rad)"], True), (["time", "x", "y", "z"], False),
+        (["E", "N", "h", "s"], False), (["", "", ""], False), (["1", "2", "3"], False),
+    ],
+)  # fmt: skip
+def test_a_row_of_units_is_known(row: list[str], units: bool) -> None:
+    assert is_units_row(row) == units
