@@ -150,8 +150,7 @@ def test_derivatives_that_contradict_the_states_are_not_used(
         local.time, plain.time, np.hstack([plain.position, plain.attitude])[:, component]
     )
     np.testing.assert_allclose(states, straight, rtol=0, atol=1e-9)
-    named = records[:, column].any()
-    assert [each.code for each in local.messages] == ["trajectory.rates_not_used"] * int(named)
+    assert [each.code for each in local.messages] == ["trajectory.rates_not_used"]
 
 
 def test_no_curve_over_a_gap(tmp_path: Path) -> None:
