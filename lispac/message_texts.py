@@ -162,6 +162,10 @@ TEXTS: Mapping[str, str] = {
         "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
         "degrees. The angles are read as radians, so all results will be wrong. Set degrees."
     ),
+    "trajectory.rates_not_used": (
+        "The velocities or angular rates of the trajectory contradict its states in {names:names}. "
+        "These are interpolated linearly. Check the export of velocities and rates."
+    ),
     "trajectory.no_position": (
         "{count:n} states of the trajectory have no position (latitude and longitude are 0, as "
         "before the GNSS has a fix). They are excluded. Start the export at the first fix."

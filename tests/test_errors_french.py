@@ -34,9 +34,10 @@ NOT_SAID: dict[str, set[str]] = {
         "horizontal angle",
         "vertical angle",
         "latitudehemisphere ns northsouth lathemisphere lathemi latdir latns",
-        "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew we eo oe estouest ow wo "
-        "ostwest",
-        "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec zeit temps",
+        "longitudehemisphere ew eastwest lonhemisphere lonhemi londir lonew we eo oe estouest ow "
+        "wo ostwest",
+        "time gpstime utctime timestamp seconds sec tow sow gpstow secondsofweek timesec zeit "
+        "temps",
         "date day",
         "latitude lat breite latitudes lats",
         "longitude lon long lng laenge länge longitudew lonw longitudewest lonwest westlongitude",

@@ -1,16 +1,20 @@
 """Applanix SBET trajectories and smrmsg accuracies."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
 from lispac.io.files import read_records, require_file, require_increasing, written_whole
 from lispac.io.trajectory_checks import require_attitude, require_base, require_heights
+from lispac.survey.states_between import attitude_rates
 from lispac.survey.time_base import base_of, plausible, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+Array = NDArray[np.float64]
 
 SMRMSG_RECORD = 80
 """Bytes."""
@@ -39,9 +43,9 @@ class SbetOptions:
         """Each of them in a sentence."""
         wander = "less the wander angle" if self.heading == "minus-wander" else "as it is"
         velocities = (
-            "velocities are not used and their axes were not checked"
+            "velocities are taken in the axes that fit the positions best"
             if self.axes == "unknown"
-            else f"velocities are not used; their axes are {AXES[self.axes]}"
+            else f"the axes of the velocities are {AXES[self.axes]}"
         )
         return (
             f"SBET: true heading is the platform heading {wander}",
@@ -117,7 +121,81 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
         ],
         axis=1,
     )
-    return Trajectory(time, latitude, longitude, height, attitude, assumptions)
+    velocity, rates = _derivatives(records, chosen)
+    trajectory = Trajectory(
+        time, latitude, longitude, height, attitude, assumptions, attitude_rate=rates
+    )
+    return trajectory if velocity is None else _with_velocity(trajectory, velocity, wander, chosen)
+
+
+def in_frame(axes: str, velocity: Array, wander: Array) -> Array:
+    """North, east and up, shape (n, 3), of velocities in the axes of that key (`AXES`).
+
+    Parameters
+    ----------
+    velocity : ndarray of shape (n, 3), metres a second, frame of ``axes``
+    wander : ndarray of shape (n,), radians
+    """
+    x, y, z = velocity.T
+    if axes.startswith("wander"):
+        right = -y if axes == "wander-nwu" else y
+        north = x * np.cos(wander) + right * np.sin(wander)
+        east = right * np.cos(wander) - x * np.sin(wander)
+        return np.stack([north, east, z if axes.endswith("u") else -z], axis=1)
+    named = {"n": 1.0, "s": -1.0, "e": 1.0, "w": -1.0, "u": 1.0, "d": -1.0}
+    place = {"n": 0, "e": 1, "w": 1, "u": 2, "d": 2}
+    turned = np.empty_like(velocity)
+    for axis, values in zip(axes, (x, y, z), strict=True):
+        turned[:, place[axis]] = named[axis] * values
+    return turned
+
+
+COMPARED = 20_000
+"""States whose velocities are compared with the positions to find their axes."""
+
+
+def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Array | None]:
+    """Velocities as in the records, and derivatives of the attitude; None where all zero."""
+    velocity = records[:, 4:7] if records[:, 4:7].any() else None
+    rates = records[:, 14:17]
+    if not rates.any():
+        return velocity, None
+    factor = float(np.radians(1.0)) if chosen.unit == "degrees" else 1.0
+    # In the signs of the kinematic equations: roll starboard down, pitch bow up.
+    signs = np.array(
+        [-1.0 if chosen.roll == "port-down" else 1.0, -1.0 if chosen.pitch == "bow-down" else 1.0,
+         1.0]
+    )  # fmt: skip
+    angles = factor * records[:, 7:10]
+    found = attitude_rates(angles * signs, factor * rates)
+    # The rates may be about axes forward, port, up instead.
+    other = attitude_rates(angles * signs, factor * rates * [1.0, -1.0, -1.0])
+    truth = np.gradient(np.unwrap(angles[:COMPARED], axis=0), records[:COMPARED, 0], axis=0)
+    off = [np.abs(each[:COMPARED] - truth * signs).sum() for each in (found, other)]
+    best = found if off[0] <= off[1] else other
+    return velocity, best * [1.0, -1.0, 1.0]  # pitch bow down
+
+
+def _with_velocity(
+    trajectory: Trajectory, velocity: Array, wander: Array, chosen: SbetOptions
+) -> Trajectory:
+    """The trajectory with velocities in the axes stated, or those that fit the positions best."""
+    keys = [chosen.axes] if chosen.axes != "unknown" else [key for key in AXES if key != "unknown"]
+    some = slice(0, COMPARED)
+    place = LocalFrame(
+        float(trajectory.latitude[0]), float(trajectory.longitude[0]), float(trajectory.height[0])
+    ).to_local(trajectory.latitude[some], trajectory.longitude[some], trajectory.height[some])
+    truth = np.diff(place, axis=0) / np.diff(trajectory.time[some])[:, None]
+
+    def local(key: str) -> Array:
+        return in_frame(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
+
+    def misfit(key: str) -> float:
+        own = local(key)[some]
+        return float(np.abs(0.5 * (own[1:] + own[:-1]) - truth).sum())
+
+    best = min(keys, key=misfit) if len(keys) > 1 else keys[0]
+    return replace(trajectory, velocity=local(best))
 
 
 _STARTED_AGAIN = (

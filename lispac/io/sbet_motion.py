@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.io.sbet import AXES, SbetOptions
+from lispac.io.sbet import AXES, SbetOptions, in_frame
 from lispac.io.trajectory_facts import MOVING, Motion, wrapped
 
 Array = NDArray[np.float64]
@@ -22,28 +22,6 @@ FITTING, APART = 0.02, 3.0
 
 SMALLEST_WANDER = 1e-4
 """Radians below which a wander angle changes nothing."""
-
-
-def in_frame(axes: str, velocity: Array, wander: Array) -> Array:
-    """North, east and up, shape (n, 3), of velocities in the axes of that key (`AXES`).
-
-    Parameters
-    ----------
-    velocity : ndarray of shape (n, 3), metres a second, frame of ``axes``
-    wander : ndarray of shape (n,), radians
-    """
-    x, y, z = velocity.T
-    if axes.startswith("wander"):
-        right = -y if axes == "wander-nwu" else y
-        north = x * np.cos(wander) + right * np.sin(wander)
-        east = right * np.cos(wander) - x * np.sin(wander)
-        return np.stack([north, east, z if axes.endswith("u") else -z], axis=1)
-    named = {"n": 1.0, "s": -1.0, "e": 1.0, "w": -1.0, "u": 1.0, "d": -1.0}
-    place = {"n": 0, "e": 1, "w": 1, "u": 2, "d": 2}
-    turned = np.empty_like(velocity)
-    for axis, values in zip(axes, (x, y, z), strict=True):
-        turned[:, place[axis]] = named[axis] * values
-    return turned
 
 
 def velocity_frame(

@@ -10,12 +10,16 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
 from lispac.messages import Level, Message
+from lispac.survey.states_between import densified
 
 Array = NDArray[np.float64]
 
 LONGEST_GAP = 1.5
 """Seconds between two states that a straight line may bridge, where nothing else is set; text
 exports come at 1 Hz."""
+TICK = 1e-4
+"""Seconds over which an angular rate is brought to another frame."""
+COMPONENTS = ("north", "west", "up", "roll", "pitch", "heading")
 STEEPEST = float(np.radians(80.0))
 """Pitch beyond which roll and heading run too fast to be interpolated; at 90 deg they are one."""
 
@@ -38,6 +42,10 @@ class Trajectory:
         What the reader took for granted, in words.
     messages : tuple of Message
         Warnings and notes about the states.
+    velocity : ndarray of shape (n, 3), metres a second, or None
+        Towards north, west, up, where the file has it.
+    attitude_rate : ndarray of shape (n, 3), radians a second, or None
+        Derivatives of ``attitude``, where the file has angular rates.
     """
 
     time: Array
@@ -47,6 +55,8 @@ class Trajectory:
     attitude: Array
     assumptions: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
+    velocity: Array | None = None
+    attitude_rate: Array | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "longitude", continuous(self.longitude))
@@ -78,6 +88,8 @@ class Trajectory:
             self, time=self.time[placed], latitude=self.latitude[placed],
             longitude=self.longitude[placed], height=self.height[placed],
             attitude=self.attitude[placed],
+            velocity=None if self.velocity is None else self.velocity[placed],
+            attitude_rate=None if self.attitude_rate is None else self.attitude_rate[placed],
             messages=(
                 *self.messages, Message("trajectory.no_position", Level.NOTE, {"count": count})
             ),
@@ -172,6 +184,8 @@ class LocalTrajectory:
         Between two states that may be bridged.
     messages : tuple of Message
         Warnings and notes about the states.
+    curve_error : ndarray of shape (n - 1, 6), metres and radians, or None
+        By how much states that were inserted between those of the file may be off.
     """
 
     frame: LocalFrame
@@ -180,12 +194,16 @@ class LocalTrajectory:
     attitude: Array
     longest_gap: float = LONGEST_GAP
     messages: tuple[Message, ...] = ()
+    curve_error: Array | None = None
 
     @classmethod
     def of(
         cls, trajectory: Trajectory, frame: LocalFrame, longest_gap: float = LONGEST_GAP
     ) -> "LocalTrajectory":
         """Bring a trajectory into ``frame``: positions, and attitude turned to its axes.
+
+        Where the trajectory has velocities and angular rates, and straight lines between its states
+        are too coarse for the motion, further states are inserted (`densified`).
 
         Raises
         ------
@@ -202,8 +220,27 @@ class LocalTrajectory:
                 "time, where roll and heading cannot be told apart: export it for a body frame "
                 "whose first axis is level (vessel or reference frame, not the tilted IMU's own)."
             )
-        turned = np.unwrap(attitude, axis=0)
-        return cls(frame, trajectory.time, position, turned, longest_gap, trajectory.messages)
+        attitude = np.unwrap(attitude, axis=0)
+        if trajectory.velocity is None and trajectory.attitude_rate is None:
+            return cls(frame, trajectory.time, position, attitude, longest_gap, trajectory.messages)
+        derivatives = np.zeros((len(position), 6))
+        if trajectory.velocity is not None:
+            velocity = trajectory.velocity[:, :, None]
+            derivatives[:, :3] = (rotation_local_level @ velocity)[:, :, 0]
+        if trajectory.attitude_rate is not None:
+            ahead = rotation_matrix(*(trajectory.attitude + TICK * trajectory.attitude_rate).T)
+            turned = angles_of(rotation_local_level @ ahead) - attitude
+            derivatives[:, 3:] = (np.remainder(turned + np.pi, 2 * np.pi) - np.pi) / TICK
+        states = np.hstack([position, attitude])
+        dense = densified(trajectory.time, states, derivatives, longest_gap)
+        messages = trajectory.messages
+        if dense.unused:
+            names = tuple(COMPONENTS[k] for k in dense.unused)
+            messages += (Message("trajectory.rates_not_used", Level.NOTE, {"names": names}),)
+        return cls(
+            frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, messages,
+            dense.error,
+        )  # fmt: skip
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:

@@ -20,10 +20,11 @@ QUANTILE = 0.95
 
 
 def interpolation_error(trajectory: LocalTrajectory) -> Array:
-    """Error bound of linear interpolation between the states, shape (n - 1, 6).
+    """Error bound of the interpolation between the states, shape (n - 1, 6).
 
     Between two states dt apart it is at most ``dt^2 / 8`` times the second derivative (de Boor
-    2001, I), which the second differences of the states give.
+    2001, I), which the second differences of the states give. The error of states that were
+    inserted from velocities and angular rates is added.
 
     Parameters
     ----------
@@ -44,7 +45,10 @@ def interpolation_error(trajectory: LocalTrajectory) -> Array:
     width = max(1, round(WINDOW / float(np.median(steps))))
     smooth = uniform_filter1d(curvature, width, axis=0, mode="nearest")
     ends = np.abs(np.vstack([smooth[:1], smooth, smooth[-1:]]))
-    return np.asarray(0.5 * (ends[:-1] + ends[1:]) * steps[:, None] ** 2 / 8)
+    straight = 0.5 * (ends[:-1] + ends[1:]) * steps[:, None] ** 2 / 8
+    return np.asarray(
+        straight if trajectory.curve_error is None else straight + trajectory.curve_error
+    )
 
 
 def interpolation_messages(

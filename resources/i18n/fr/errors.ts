@@ -5678,6 +5678,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path}, ligne {row} : la valeur ({place}) porte un signe moins et un hémisphère ; exportez l&apos;un des deux, ou nommez - la colonne de l&apos;hémisphère.</translation>
     </message>
     <message>
+        <source>The velocities or angular rates of the trajectory contradict its states in {names:list}. These are interpolated linearly. Check the export of velocities and rates.</source>
+        <translation>Les vitesses ou les vitesses angulaires de la trajectoire contredisent ses états en : {names}. Ces composantes sont interpolées linéairement. Vérifiez l&apos;export des vitesses.</translation>
+    </message>
+    <message>
         <source>{count:n} states of the trajectory have no position (latitude and longitude are 0, as before the GNSS has a fix). They are excluded. Start the export at the first fix.</source>
         <translation>{count} états de la trajectoire n&apos;ont pas de position (latitude et longitude nulles, comme avant le premier point GNSS). Ils sont exclus. Faites commencer l&apos;export au premier point.</translation>
     </message>

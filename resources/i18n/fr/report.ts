@@ -2794,12 +2794,12 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>le tangage est positif quand l&apos;étrave monte (son signe est inversé ici)</translation>
     </message>
     <message>
-        <source>velocities are not used and their axes were not checked</source>
-        <translation>les vitesses ne servent pas et leurs axes n&apos;ont pas été vérifiés</translation>
+        <source>velocities are taken in the axes that fit the positions best</source>
+        <translation>les vitesses sont prises dans les axes qui correspondent le mieux aux positions</translation>
     </message>
     <message>
-        <source>velocities are not used; their axes are {axes}</source>
-        <translation>les vitesses ne servent pas ; leurs axes : {axes}</translation>
+        <source>the axes of the velocities are {axes}</source>
+        <translation>axes des vitesses : {axes}</translation>
     </message>
     <message>
         <source>x along the wander azimuth, y to its left, z up</source>
