@@ -11,11 +11,13 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
+from lispac.io.cloud_record import CloudRecord
 from lispac.io.las_chunks import LAS
 from lispac.io.las_crs import stated_system
 from lispac.io.points import system_of
 from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
+from lispac.messages import Level
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.mapping import PointMapper
@@ -23,6 +25,7 @@ from lispac.survey.recovery import Recovery, recovered
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
+from lispac.workflow.line_points import read_line
 from lispac.workflow.reading import local_trajectory
 from tests.cloud_files import (
     MOUNTING,
@@ -276,14 +279,75 @@ def test_from_the_command_line(
     assert "North, West, Up" in err
 
 
-def test_a_cloud_in_the_local_frame_is_not_taken_for_a_line(
-    project: Project, tmp_path: Path
+@pytest.mark.parametrize("ending", ["las", "laz"])
+@pytest.mark.parametrize("system", ["local", UTM, "EPSG:2249", "EPSG:4979"])
+def test_a_cloud_of_the_program_gives_its_points_back(
+    project: Project, tmp_path: Path, system: str, ending: str
 ) -> None:
-    for ending in ("las", "laz"):
-        (done,) = georeference_project(
-            project, tmp_path / ending, "prior", system="local", lines=["L1"], ending=ending
-        )
-        with pytest.raises(InputError, match="local frame of a project"):
-            LAS.look(done.path, {})
-    (done,) = georeference_project(project, tmp_path / "map", "prior", system=UTM, lines=["L1"])
-    assert LAS.look(done.path, {}).choice["frame"] == "georeferenced"
+    """With the mounting in its header, whatever the prior of the project that reads it."""
+    (done,) = georeference_project(
+        project, tmp_path / "out", "prior", system=system, lines=["L1"], ending=ending
+    )
+    found = LAS.look(done.path, {})
+    assert found.choice["frame"] == "georeferenced"
+    options = tuple((name, str(value)) for name, value in found.choice.items())
+    line = LineSource("L1", done.path, (), Reading("las", options, 18.0))
+    other = project.mounting("prior").with_boresight(np.radians([0.1, 2.0, -1.0]))
+    trajectory = local_trajectory(project)[0]
+    scan, messages = read_line(line, trajectory, other)
+    raw = laspy.read(tmp_path / "raw.laz")
+    np.testing.assert_allclose(scan.points_lidar, raw.xyz, rtol=0, atol=1e-3)
+    assert [each.code for each in messages.recovery] == ["recovery.recorded_mounting"]
+    note = messages.recovery[0].params
+    made = project.mounting("prior").boresight
+    assert [note["roll"], note["pitch"], note["yaw"]] == pytest.approx(list(made), abs=1e-12)
+
+
+def test_a_cloud_with_another_lever_arm_is_a_warning(project: Project, tmp_path: Path) -> None:
+    (done,) = georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L1"])
+    line = LineSource(
+        "L1", done.path, (), Reading("las", (("frame", "georeferenced"), ("crs", UTM)), 18.0)
+    )
+    prior = project.mounting("prior")
+    other = replace(prior, lever_arm=prior.lever_arm + [0.0, 0.3, 0.0])
+    scan, found = read_line(line, local_trajectory(project)[0], other)
+    warning = found.recovery[1]
+    assert (warning.code, warning.level) == ("recovery.other_lever_arm", Level.WARNING)
+    assert warning.params["off"] == pytest.approx(0.3)
+    raw = laspy.read(tmp_path / "raw.laz")
+    np.testing.assert_allclose(scan.points_lidar, raw.xyz, rtol=0, atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    "damage", [b"", b"{", b"[]", b'{"version": 9}', b'{"version": 1, "lever_arm_m": [1e9, 0, 0]}']
+)
+def test_a_damaged_record_is_not_used(project: Project, tmp_path: Path, damage: bytes) -> None:
+    (done,) = georeference_project(
+        project, tmp_path / "out", "prior", system="local", lines=["L1"], ending="las"
+    )
+    cloud = laspy.read(done.path)
+    for record in cloud.header.vlrs:
+        if record.user_id == "LISPAC" and record.record_id == 2:
+            record.record_data = damage
+    cloud.write(done.path)
+    assert CloudRecord.read(done.path) is None
+    with pytest.raises(InputError, match="local frame of a project"):
+        LAS.look(done.path, {})
+
+
+def test_a_written_cloud_is_written_again(project: Project, tmp_path: Path) -> None:
+    """From the local frame to a map: the points are those that come directly from the raw line."""
+    (local,) = georeference_project(
+        project, tmp_path / "local", "prior", system="local", lines=["L1"], ending="las"
+    )
+    options = tuple((k, str(v)) for k, v in LAS.look(local.path, {}).choice.items())
+    line = LineSource("L1", local.path, (), Reading("las", options, 18.0))
+    (again,) = georeference_project(
+        replace(project, lines=(line,)), tmp_path / "again", "prior", system=UTM, ending="las"
+    )
+    (direct,) = georeference_project(
+        project, tmp_path / "map", "prior", system=UTM, lines=["L1"], ending="las"
+    )
+    one, other = laspy.read(again.path), laspy.read(direct.path)
+    np.testing.assert_allclose(one.xyz, other.xyz, rtol=0, atol=1e-3)
+    np.testing.assert_array_equal(one.intensity, other.intensity)

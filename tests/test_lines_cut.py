@@ -10,12 +10,14 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
 from lispac.io import las, las_chunks, line_times, records
 from lispac.io.formats import format_of
 from lispac.io.las_export import cloud_file, pattern_of_columns
 from lispac.io.las_guard import require_sound_header
 from lispac.io.point_counts import PointCounts
 from lispac.io.registry import PointChunk
+from lispac.survey.georeferencing import Mounting
 from tests import point_files as files
 
 LAS = format_of("las")
@@ -92,7 +94,10 @@ def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
     path = tmp_path / "a.las"
     points, time = np.zeros((2, 3)), np.arange(2.0)
     pattern = pattern_of_columns(PointChunk(points, time, {}))
-    with cloud_file(path, pattern, None, np.zeros(3), compressed=False) as cloud:
+    mounting, frame = Mounting(np.zeros(3), np.zeros(3)), LocalFrame(0.8, -1.2, 0.0)
+    with cloud_file(
+        path, pattern, None, np.zeros(3), mounting=mounting, frame=frame, compressed=False
+    ) as cloud:
         cloud.write(cloud.records(points, time, {}))
         points[1, 0] = 1e9
         with pytest.raises(InputError) as refused:

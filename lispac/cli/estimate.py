@@ -157,8 +157,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         settings.range_offset,
         float(np.radians(settings.scan_angle_offset_deg)),
     )
-    if arguments.subsample is not None:  # otherwise the points are taken as the files have them
-        observations = calibration.thinned(observations, mounting, settings)
+    observations = calibration.thinned(observations, mounting, settings)
     with ConsoleProgress() as progress:
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,

@@ -8,7 +8,7 @@ mounting.
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import laspy
 import numpy as np
@@ -65,18 +65,18 @@ class CloudRecord:
         return records
 
     @classmethod
-    def of(cls, header: laspy.LasHeader) -> "CloudRecord | None":
+    def of(cls, header: laspy.LasHeader) -> Self | None:
         """The record in a header; None where there is none, or it cannot be understood."""
         for each in header.vlrs:
             if each.user_id == OWN_ID and each.record_id == RECORD:
                 try:
-                    return _structured(json.loads(bytes(each.record_data).decode()))
+                    return cls(*_parts(json.loads(bytes(each.record_data).decode())))
                 except (ValueError, TypeError, KeyError):
                     return None
         return None
 
     @classmethod
-    def read(cls, path: Path) -> "CloudRecord | None":
+    def read(cls, path: Path) -> Self | None:
         """The record in a LAS or LAZ file; None where it is another file or has none."""
         try:
             with path.open("rb") as file:
@@ -88,13 +88,13 @@ class CloudRecord:
             return None
 
 
-def _structured(content: Any) -> CloudRecord:
-    """The record out of its content.
+def _parts(content: Any) -> tuple[Mounting, LocalFrame | None]:
+    """Mounting and frame out of the content of a record.
 
     Raises
     ------
-    ValueError, TypeError, KeyError
-        Where it is damaged or of another version.
+    ValueError
+        Where it is damaged or of another version, as `TypeError` and `KeyError`.
     """
     if content["version"] != VERSION:
         raise ValueError(content["version"])
@@ -117,9 +117,9 @@ def _structured(content: Any) -> CloudRecord:
     )  # fmt: skip
     origin = content["origin_deg_m"]
     if origin is None:
-        return CloudRecord(mounting)
+        return mounting, None
     latitude, longitude, height = (float(value) for value in origin)
     if not (abs(latitude) <= 90 and abs(longitude) <= 360 and abs(height) <= 1e5):
         raise ValueError("origin_deg_m")
     frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
-    return CloudRecord(mounting, frame)
+    return mounting, frame

@@ -5682,6 +5682,26 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Les vitesses ou les vitesses angulaires de la trajectoire contredisent ses états en : {names}. Ces composantes sont interpolées linéairement. Vérifiez l&apos;export des vitesses.</translation>
     </message>
     <message>
+        <source>{line:kept}: the cloud says how it was made (boresight roll {roll:n}, pitch {pitch:n}, yaw {yaw:n} deg). The points of the scanner are recovered with these values.</source>
+        <translation>{line} : le nuage indique comment il a été calculé (angles de visée : roulis {roll}, tangage {pitch}, lacet {yaw}°). Les points du scanner sont reconstitués avec ces valeurs.</translation>
+    </message>
+    <message>
+        <source>{line:kept}: the cloud was made with the lever arm {x:n}, {y:n}, {z:n} m, which differs by {off:n} mm from the prior one. The points are recovered with the former, but the estimate uses the latter. Correct the lever arm if it was the same scanner.</source>
+        <translation>{line} : le nuage a été calculé avec le bras de levier {x}, {y}, {z} m, qui diffère de {off} mm du bras de levier a priori. Les points sont reconstitués avec le premier, mais l&apos;estimation utilise le second. Corrigez le bras de levier s&apos;il s&apos;agissait du même scanner.</translation>
+    </message>
+    <message>
+        <source>coordinates in the local frame of the cloud</source>
+        <translation>coordonnées dans le repère local du nuage</translation>
+    </message>
+    <message>
+        <source>{path:file}: this cloud was written in the local frame of a project (north, west, up), and does not say where that is; write it again, or with a coordinate system (georeference --crs), to use it as a line.</source>
+        <translation>{path} : ce nuage a été écrit dans le repère local d&apos;un projet (nord, ouest, haut) et n&apos;indique pas où il se trouve ; écrivez-le de nouveau, ou avec un système de coordonnées (georeference --crs), pour l&apos;utiliser comme ligne.</translation>
+    </message>
+    <message>
+        <source>{text:kept}: a local frame needs latitude, longitude and height of its origin (local:46.8,-71.2,20 for example).</source>
+        <translation>{text} : un repère local demande la latitude, la longitude et la hauteur de son origine (local:46.8,-71.2,20 par exemple).</translation>
+    </message>
+    <message>
         <source>{count:n} states of the trajectory have no position (latitude and longitude are 0, as before the GNSS has a fix). They are excluded. Start the export at the first fix.</source>
         <translation>{count} états de la trajectoire n&apos;ont pas de position (latitude et longitude nulles, comme avant le premier point GNSS). Ils sont exclus. Faites commencer l&apos;export au premier point.</translation>
     </message>
@@ -5864,10 +5884,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 </context>
 <context>
     <name>local frame</name>
-    <message>
-        <source>{path:file}: this cloud was written in the local frame of a project (north, west, up), so its points are not those of the scanner; write it with a coordinate system (georeference --crs) to use it as a line.</source>
-        <translation>{path} : ce nuage a été écrit dans le repère local d&apos;un projet (nord, ouest, haut), ses points ne sont donc pas ceux du scanneur ; écrivez-le dans un système de coordonnées (georeference --crs) pour l&apos;utiliser comme ligne.</translation>
-    </message>
 </context>
 <context>
     <name>several lines</name>
