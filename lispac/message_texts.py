@@ -19,6 +19,15 @@ TEXTS: Mapping[str, str] = {
         "Positions of points are off by up to {shift:mm} mm and attitudes by up to {turn:deg} deg, "
         "which does not average out. Export the line with exact times (64 bits)."
     ),
+    "audit.time_steps": (
+        "{line}: point times are in steps of {step:ms} ms, with {points:n} points to each step. "
+        "Positions and attitudes of points are off by the motion within half a step, which does "
+        "not average out. Export the line with exact times (64 bits)."
+    ),
+    "audit.first_points": (
+        "{file}: the first {count:n} points were checked. The import checks all of them."
+    ),
+    "file.split": "The file becomes {count:n} lines: {lines:names}.",
     "audit.not_finite": (
         "{line}: {count:n} points ({share:percent.2} %) have values that are not numbers. "
         "They are excluded."

@@ -1,12 +1,16 @@
 """``lispac look``: what a file is, what its reader assumes, and what to doubt."""
 
 from argparse import Namespace
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from lispac.adjustment.shown import plain
-from lispac.cli.console import print_json
+from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_numbers
 from lispac.message_texts import message_text
+from lispac.workflow.file_audit import audit_messages_of
 from lispac.workflow.reading import Look, looks
 
 SWITCH = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
@@ -16,12 +20,25 @@ WIDEST = 14  # characters of a cell of the preview
 def look(arguments: Namespace) -> None:
     """Print what each format that knows the file finds in it, the surest first."""
     found = looks(arguments.file)
+    if not arguments.quick:
+        found = _audited(arguments.file, found)
     if arguments.json:
         print_json({"file": str(arguments.file), "formats": [_numbers(item) for item in found]})
         return
     print(arguments.file)
     for item in found:
         _print(item)
+
+
+def _audited(path: Path, found: Sequence[Look]) -> list[Look]:
+    """The same with what all points of the file show, where the surest format has points."""
+    items = list(found)
+    if items and items[0].finding is not None and items[0].format.kind == "points":
+        finding = items[0].finding
+        with ConsoleProgress() as progress:
+            told = audit_messages_of(path, items[0].format, finding.choice, progress=progress)
+        items[0] = replace(items[0], finding=replace(finding, messages=(*finding.messages, *told)))
+    return items
 
 
 def _print(item: Look) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.causes import Cause
 from lispac.messages import Action, Level, Message, Value
@@ -34,21 +35,26 @@ SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "devi
 
 
 def line_messages(
-    name: str, audit: LineAudit, trajectory: LocalTrajectory, times: np.ndarray
+    name: str,
+    audit: LineAudit,
+    trajectory: LocalTrajectory | None = None,
+    times: NDArray[np.float64] | None = None,
 ) -> tuple[Message, ...]:
-    """Messages about one line.
+    """Messages about one line, or one file where there is no trajectory.
 
     Parameters
     ----------
     name : str
-        Of the line.
+        Of the line or file.
     audit : LineAudit
-    trajectory : LocalTrajectory
-    times : ndarray of shape (n,), seconds, in the trajectory's time base
+    trajectory : LocalTrajectory, optional
+        Without it, effects of the motion are not stated.
+    times : ndarray of shape (n,), seconds, in the trajectory's time base, optional
         Some times of the line, ascending, that have a pose.
     """
     if not audit.read:
         return ()
+    times = np.zeros(0) if times is None else times
     found = [
         *_time_resolution(name, audit, trajectory, times),
         *_excluded(name, audit),
@@ -79,9 +85,15 @@ def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
 
 
 def _time_resolution(
-    name: str, audit: LineAudit, trajectory: LocalTrajectory, times: np.ndarray
+    name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
     if audit.time_step < COARSE_STEP or audit.points_per_time < POINTS_PER_TIME:
+        return
+    if trajectory is None or not len(times):
+        params: dict[str, Value] = {
+            "line": name, "step": audit.time_step, "points": audit.points_per_time,
+        }  # fmt: skip
+        yield Message("audit.time_steps", Level.WARNING, params, Cause.of_line(name))
         return
     rates = np.abs(trajectory.rate_at(times))
     speed = float(np.quantile(np.linalg.norm(rates[:, :3], axis=1), QUANTILE))
@@ -166,15 +178,18 @@ def _large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
 
 
 def _passes(
-    name: str, audit: LineAudit, trajectory: LocalTrajectory, times: np.ndarray
+    name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
     """Passes that one file holds, by pauses over which the vessel turned or that are long."""
-    if len(audit.spans) < 2 or not len(times):
+    if len(audit.spans) < 2:
         return
-    # The audit has the times of the file: only their differences are taken from it.
-    shift = times[0] - audit.spans[0][0]
     passes = 1
     for (_, before), (after, _) in zip(audit.spans, audit.spans[1:], strict=False):
+        if trajectory is None or not len(times):
+            passes += bool(after - before > LONG_PAUSE)
+            continue
+        # The audit has the times of the file: only their differences are taken from it.
+        shift = times[0] - audit.spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
         heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
         turned = abs((heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi)

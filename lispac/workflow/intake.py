@@ -162,6 +162,8 @@ class Intake:
             return self.with_role(path, None if remedy.role == "none" else remedy.role)
         if remedy.option is not None:
             return self.with_option(path, *remedy.option)
+        if remedy.split_by is not None:
+            return self.with_entry(replace(self.entry(path), split_by=remedy.split_by))
         if remedy.found_columns:
             stated = {k: v for k, v in (self.entry(path).stated or {}).items() if k != "columns"}
             return self.with_entry(
@@ -333,7 +335,7 @@ class Intake:
             return "No file is the trajectory yet: add the SBET, or a text export of it."
         if not self.lines:
             return "No file is a line yet: add the scan file of at least one."
-        names = [*self.names.values(), *(line.name for line in self._known_lines)]
+        names = [line.name for line in (*self.sources(), *self._known_lines)]
         twice = [name for name in names if names.count(name) > 1]
         return f"Two lines are named {twice[0]}; rename a file." if twice else ""
 
@@ -354,8 +356,11 @@ class Intake:
     def sources(self) -> tuple[LineSource, ...]:
         """The lines, for the project."""
         return tuple(
-            LineSource(self.names[entry.path], entry.path, (), entry.reading)
+            line
             for entry in self.lines
+            for line in entry.parts(
+                LineSource(self.names[entry.path], entry.path, (), entry.reading)
+            )
         )
 
     @property

@@ -15,10 +15,13 @@ from lispac.io.files import without_path
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes, line_times
 from lispac.io.registry import POSSIBLE, Finding, Format, Kind
-from lispac.progress import Progress, no_progress
+from lispac.progress import Progress, no_progress, part
+from lispac.project import LineSource
 from lispac.survey.crs import coordinate_system
+from lispac.survey.line_audit import LineAudit
 from lispac.survey.source import Reading
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.file_audit import file_audit
 from lispac.workflow.intake_columns import (
     column_tokens,
     has_columns,
@@ -27,6 +30,7 @@ from lispac.workflow.intake_columns import (
     names_its_columns,
 )
 from lispac.workflow.reading import USUAL, Look, looked_at, looks
+from lispac.workflow.splitting import parts_of_line
 
 Content = Trajectory | TrajectoryAccuracy | LineTimes
 
@@ -80,6 +84,10 @@ class Entry:
         Whether the columns are those chosen for an earlier file laid out alike.
     given : Reading or None
         How an open project reads it: role, format and options are not to be changed then.
+    audit : LineAudit or None
+        Of the points of a line.
+    split_by : str
+        What makes several lines of the file, as `split_line` has it; empty for one line.
     """
 
     path: Path
@@ -96,6 +104,8 @@ class Entry:
     pending: bool = True
     remembered: bool = False
     given: Reading | None = None
+    audit: LineAudit | None = None
+    split_by: str = ""
 
     @property
     def formats(self) -> tuple[Format, ...]:
@@ -138,6 +148,12 @@ class Entry:
         """How a text file is laid out, so that the next one like it is known; empty for others."""
         look = next((look for look in self.looks if look.format is self.format), None)
         return "" if look is None else layout_of(look)
+
+    def parts(self, line: LineSource) -> tuple[LineSource, ...]:
+        """The lines that the file becomes: ``line`` itself, or what it is split into."""
+        if not self.split_by or self.audit is None or self.format is None:
+            return (line,)
+        return parts_of_line(line, self.audit, self.split_by, self.format.key)
 
     @property
     def georeferenced(self) -> bool:
@@ -247,13 +263,20 @@ def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
 def _filled(entry: Entry, progress: Progress) -> Entry:
     assert entry.format is not None
     if entry.role == "points":
+        reading = part(progress, 0.1, 0.5)
+        times = line_times(entry.path, entry.format, entry.options, progress=reading)
+        place = entry.place
         if entry.georeferenced:
             # A line's times do not hang on its coordinate system, so they are read either way.
-            times = line_times(entry.path, entry.format, entry.options, progress=progress)
-            return replace(entry, content=times, place=_place(entry.options, times))
-        return replace(
-            entry, content=line_times(entry.path, entry.format, entry.options, progress=progress)
+            place = _place(entry.options, times)
+        found = file_audit(
+            entry.path, entry.format, entry.options, progress=part(progress, 0.5, 1.0)
         )
+        finding = entry.finding
+        if finding is not None:
+            messages = tuple(dict.fromkeys((*finding.messages, *found.messages)))
+            finding = replace(finding, messages=messages)
+        return replace(entry, content=times, place=place, finding=finding, audit=found.audit)
     content = entry.format.read(entry.path, entry.options)
     assert isinstance(content, Trajectory | TrajectoryAccuracy)
     if isinstance(content, Trajectory):

@@ -12,9 +12,10 @@ from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
 from lispac.io.trajectory_facts import UNUSABLE, gap_doubts
 from lispac.message_texts import action_text, message_text
+from lispac.messages import Action, Message
 from lispac.messages import Level as MessageLevel
-from lispac.messages import Message
-from lispac.survey.source import RESTART
+from lispac.project import LineSource
+from lispac.survey.source import RESTART, printable
 from lispac.survey.time_base import Match, TimeBase, rival_matches, sentence
 from lispac.survey.time_quality import Coverage, short_of_trajectory
 from lispac.survey.time_restart import NONE, restart_words
@@ -54,6 +55,8 @@ class Remedy:
         Option that the user has to fill in: the window goes to its field.
     longest_gap : float or None, seconds
         Of the trajectory that may be bridged.
+    split_by : str or None
+        What makes several lines of the file, as `split_line` has it; empty for one line.
     found_columns : bool
         Takes back the remembered columns.
     tip : str
@@ -66,6 +69,7 @@ class Remedy:
     option: tuple[str, str] | None = None
     ask: str = ""
     longest_gap: float | None = None
+    split_by: str | None = None
     found_columns: bool = False
     tip: str = ""
 
@@ -92,12 +96,14 @@ _LEVELS: Mapping[MessageLevel, Level] = {
 
 def remark_of(message: Message) -> Remark:
     """A message about a file, with a button for each of its actions."""
-    remedies = tuple(
-        Remedy(action_text(each), option=(each.params["name"], each.params["value"]))
-        for each in message.actions
-        if each.code == "set_option"
-    )
+    remedies = tuple(map(_remedy_of, message.actions))
     return Remark(_LEVELS[message.level], message_text(message), remedies)
+
+
+def _remedy_of(action: Action) -> Remedy:
+    if action.code == "split_line":
+        return Remedy(action_text(action), split_by=action.params["by"])
+    return Remedy(action_text(action), option=(action.params["name"], action.params["value"]))
 
 
 LEAVE_OUT = Remedy("Leave it out", role="none")
@@ -199,7 +205,16 @@ def _own(entry: Entry, longest_gap: float) -> list[Remark]:
                 continue  # the reader does not know which gaps are to be bridged
             told.append(Remark("doubt", doubt, _remedies_of(entry, doubt)))
     if entry.finding is not None:
-        told += [remark_of(message) for message in entry.finding.messages]
+        told += [
+            remark_of(message)
+            for message in entry.finding.messages
+            if not (entry.split_by and _is_split(message, entry.split_by))
+        ]
+    if entry.split_by:
+        parts = entry.parts(LineSource(printable(entry.path.stem), entry.path))
+        names = tuple(each.name for each in parts)
+        message = Message("file.split", MessageLevel.NOTE, {"count": len(parts), "lines": names})
+        told.append(replace(remark_of(message), remedies=(Remedy("One line", split_by=""),)))
     if isinstance(entry.content, Trajectory):
         told += [Remark("doubt", doubt) for doubt in gap_doubts(entry.content.time, longest_gap)]
     if isinstance(entry.content, LineTimes) and not entry.content.reached_end:
@@ -211,6 +226,11 @@ def _own(entry: Entry, longest_gap: float) -> list[Remark]:
             )
         )
     return told
+
+
+def _is_split(message: Message, by: str) -> bool:
+    """Whether the lines that a file is split into do what a message proposes."""
+    return any(each.code == "split_line" and each.params["by"] == by for each in message.actions)
 
 
 def _remedies_of(entry: Entry, doubt: str) -> tuple[Remedy, ...]:

@@ -1,12 +1,13 @@
 """Splitting the line of a file that holds several scanners or passes into lines."""
 
+import sys
 from dataclasses import replace
 
 from lispac.errors import InputError
-from lispac.io.points import FRAME, SCANNER
 from lispac.project import LineSource
-from lispac.survey.screening import Condition, PointScreen, PointSelection
-from lispac.workflow.line_points import read_chunks
+from lispac.survey.line_audit import LineAudit
+from lispac.survey.screening import Condition
+from lispac.workflow.file_audit import file_audit
 from lispac.workflow.reading import format_of_line
 
 GAP = "gap"
@@ -33,29 +34,36 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
         Where the file cannot be read, or its points have no such attribute.
     """
     format, choice, _ = format_of_line(line)
-    settled = format.settled(choice)
-    screen = PointScreen(PointSelection.of(settled), ranged=settled[FRAME.name] == SCANNER)
-    known: set[str] = set()
-    for chunk in read_chunks(format.read(line.path, choice)):
-        known |= set(chunk.extra)
-        screen(chunk.time, chunk.xyz, chunk.extra)
-    audit = screen.result()
+    found = file_audit(line.path, format, choice, most=sys.maxsize)
+    if by != GAP and by not in found.attributes:
+        raise InputError(
+            f"{line.path}: its points have no attribute {by} to split by; they have "
+            f"{', '.join(sorted(found.attributes)) or 'none'}."
+        )
+    return parts_of_line(line, found.audit, by, format.key)
+
+
+def parts_of_line(line: LineSource, audit: LineAudit, by: str, key: str) -> tuple[LineSource, ...]:
+    """The lines that a file holds, by its audit.
+
+    Parameters
+    ----------
+    by : str
+        As for `split_line`.
+    key : str
+        Of the format of the file.
+    """
     if by == GAP:
         conditions = [Condition("time", start, end) for start, end in audit.spans]
         names = [f"{line.name}_{k}" for k in range(1, len(conditions) + 1)]
     else:
-        if by not in known:
-            raise InputError(
-                f"{line.path}: its points have no attribute {by} to split by; they have "
-                f"{', '.join(sorted(known)) or 'none'}."
-            )
         values = [float(value) for value in audit.groups.get(by, ())]
         conditions = [Condition(by, value, value) for value in values]
         names = [f"{line.name}_{value:g}" for value in values]
     if len(conditions) < 2:
         return (line,)
     return tuple(
-        _selected(line, name, condition, format.key)
+        _selected(line, name, condition, key)
         for name, condition in zip(names, conditions, strict=True)
     )
 

@@ -4085,6 +4085,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Les points sont hors de {name}.</translation>
     </message>
     <message>
+        <source>One line</source>
+        <translation>Une seule ligne</translation>
+    </message>
+    <message>
         <source>Leave it out</source>
         <translation>L&apos;écarter</translation>
     </message>
@@ -5700,6 +5704,18 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{text:kept}: a local frame needs latitude, longitude and height of its origin (local:46.8,-71.2,20 for example).</source>
         <translation>{text} : un repère local demande la latitude, la longitude et la hauteur de son origine (local:46.8,-71.2,20 par exemple).</translation>
+    </message>
+    <message>
+        <source>{line:kept}: point times are in steps of {step:n} ms, with {points:n} points to each step. Positions and attitudes of points are off by the motion within half a step, which does not average out. Export the line with exact times (64 bits).</source>
+        <translation>{line} : les temps des points vont par pas de {step} ms, avec {points} points par pas. Positions et attitudes des points sont décalées du mouvement pendant un demi-pas, ce qui ne se compense pas. Exportez la ligne avec des temps exacts (64 bits).</translation>
+    </message>
+    <message>
+        <source>{file:kept}: the first {count:n} points were checked. The import checks all of them.</source>
+        <translation>{file} : les {count} premiers points ont été contrôlés. L&apos;importation les contrôle tous.</translation>
+    </message>
+    <message>
+        <source>The file becomes {count:n} lines: {lines:list}.</source>
+        <translation>Le fichier devient {count} lignes : {lines}.</translation>
     </message>
     <message>
         <source>{count:n} states of the trajectory have no position (latitude and longitude are 0, as before the GNSS has a fix). They are excluded. Start the export at the first fix.</source>

@@ -1,0 +1,91 @@
+"""The audit of a file of points by itself, before it is a line of a project."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from lispac.errors import LispacError
+from lispac.io.points import FRAME, SCANNER
+from lispac.io.registry import Choice, Format
+from lispac.messages import Level, Message
+from lispac.progress import Progress, no_progress
+from lispac.survey.audit_messages import line_messages
+from lispac.survey.line_audit import LineAudit
+from lispac.survey.screening import PointScreen, PointSelection
+from lispac.survey.source import printable
+from lispac.workflow.line_points import read_chunks
+
+MOST_AUDITED = 20_000_000
+"""Points that are read; the import reads all of them."""
+
+
+@dataclass(frozen=True)
+class FileAudit:
+    """What was found in the points of a file.
+
+    Attributes
+    ----------
+    audit : LineAudit
+    attributes : frozenset of str
+        That the points have.
+    messages : tuple of Message
+        About the file, with effects that need no trajectory.
+    """
+
+    audit: LineAudit
+    attributes: frozenset[str]
+    messages: tuple[Message, ...]
+
+
+def file_audit(
+    path: Path,
+    format: Format,
+    options: Choice,
+    *,
+    most: int = MOST_AUDITED,
+    progress: Progress = no_progress,
+) -> FileAudit:
+    """Read the points of a file and check them as a whole.
+
+    Parameters
+    ----------
+    format : Format
+        Of points.
+    options : mapping
+        Of the format.
+    most : int
+        Points after which reading stops, which a message states.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read.
+    """
+    settled = format.settled(options)
+    screen = PointScreen(PointSelection.of(settled), ranged=settled[FRAME.name] == SCANNER)
+    attributes: set[str] = set()
+    read, name = 0, printable(path.name)
+    complete = True
+    for chunk in read_chunks(format.read(path, options)):
+        if read >= most:
+            complete = False
+            break
+        attributes |= set(chunk.extra)
+        screen(chunk.time, chunk.xyz, chunk.extra)
+        read += len(chunk.time)
+        progress(min(1.0, read / min(chunk.total or most, most)), f"Checking {name}")
+    audit = screen.result()
+    messages = line_messages(name, audit)
+    if not complete:
+        note = Message("audit.first_points", Level.NOTE, {"file": name, "count": read})
+        messages = (*messages, note)
+    return FileAudit(audit, frozenset(attributes), messages)
+
+
+def audit_messages_of(
+    path: Path, format: Format, options: Choice, *, progress: Progress = no_progress
+) -> tuple[Message, ...]:
+    """Messages about the points of a file; none where they cannot be read, which others state."""
+    try:
+        return file_audit(path, format, options, progress=progress).messages
+    except LispacError:
+        return ()
