@@ -93,6 +93,8 @@ def test_findings_are_shown_before_the_project_is_made(
     rest(qtbot, dialog)
     dialog.table.select(path)
     texts = " ".join(said(dialog))
+    view = dialog.file_page.remarks
+    assert view.height() >= min(len(view.buttons), 3) * view.buttons[0].height()
     assert "20 points" in texts
     assert "class 7" in texts
     (keep,) = [

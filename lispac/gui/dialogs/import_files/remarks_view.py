@@ -110,6 +110,10 @@ def _row(icon: str, kind: str, word: str, text: str) -> tuple[QWidget, QHBoxLayo
     head.setStyleSheet(f"color: {colour}; font-weight: 600;")
     head.setFixedWidth(46)
     said = widgets.label(text, wrap=True)
+    # A policy that is set after the wrapping forgets that the height depends on the width.
+    policy = said.sizePolicy()
+    policy.setHeightForWidth(True)
+    said.setSizePolicy(policy)
     said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     top = Qt.AlignmentFlag.AlignTop
     layout.addWidget(mark, 0, top)
