@@ -6982,6 +6982,34 @@ m/s</translation>
         <translation>seconde</translation>
     </message>
     <message>
+        <source>centimetre</source>
+        <translation>centimètre</translation>
+    </message>
+    <message>
+        <source>kilometre</source>
+        <translation>kilomètre</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>yard</source>
+        <translation>yard</translation>
+    </message>
+    <message>
+        <source>fathom</source>
+        <translation>brasse</translation>
+    </message>
+    <message>
+        <source>minute</source>
+        <translation>minute</translation>
+    </message>
+    <message>
+        <source>hour</source>
+        <translation>heure</translation>
+    </message>
+    <message>
         <source>millisecond</source>
         <translation>milliseconde</translation>
     </message>
