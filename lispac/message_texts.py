@@ -160,6 +160,10 @@ TEXTS: Mapping[str, str] = {
         "{file}: the columns {columns:names} have the same meaning. {used} is used. State the "
         "columns if that is the wrong one."
     ),
+    "text.magnetic_heading": (
+        "{file}: column {column} is a magnetic heading by its title. All headings are off by the "
+        "magnetic declination. Export the true heading."
+    ),
     "text.unknown_unit": (
         "{file}: the unit in the title of column {column} is not known. {used} are taken. Check it."
     ),

@@ -45,7 +45,7 @@ NOT_SAID: dict[str, set[str]] = {
         "altitudeellipsoid ellipsoidaltitude ellipsoidalaltitude altitudeellipsoidal",
         "roll roulis",
         "pitch tangage",
-        "altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
+        "seaheight altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
         "heading yaw azimuth hdg trueheading cap",
         "easting east x e",
         "northing north y n",

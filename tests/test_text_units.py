@@ -80,6 +80,16 @@ RIGHT: dict[str, tuple[str, Row]] = {
         T.replace("Longitude", "LongitudeW"),
         lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}",
     ),
+    "LatitudeS and LongitudeW": (
+        T.replace("Longitude", "LongitudeW").replace("Latitude", "LatitudeS"),
+        lambda t, a, o: f"{t:.2f},{-a:.9f},{-o:.9f},{REST}",
+    ),
+    "an elevation in degrees beside a height": (
+        f"{T},Elevation [deg]", lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST},45.0",
+    ),
+    "an altitude": (
+        T.replace("Height", "Altitude"), lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}",
+    ),
     "gons": (
         "Time,Latitude [deg],Longitude [deg],Height [m],Roll [gon],Pitch [gon],Heading [gon]",
         lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{HEIGHT},{ROLL / 0.9:.9f},{PITCH / 0.9:.9f},"
@@ -165,6 +175,18 @@ REFUSED: dict[str, tuple[str, Row, str]] = {
         "Time,LatDeg,LatMin,LatSec,LonDeg,LonMin,LonSec,Height,Roll,Pitch,Heading",
         lambda t, a, o: f"{t:.2f},{seconds(a, ',')},{seconds(o, ',')},{REST}", "3 columns",
     ),
+    "letters of the other coordinate": (
+        T, lambda t, a, o: f"{t:.2f},{-a:.9f}W,{-o:.9f}S,{REST}", "latitude is",
+    ),
+    "west by the title and negative": (
+        T.replace("Longitude", "LongitudeW"),
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "negative",
+    ),
+    "seconds of arc between blanks": (
+        T.replace(",", " "),
+        lambda t, a, o: f"{t:.2f} -{seconds(a, ' ')} -{seconds(o, ' ')} {REST.replace(',', ' ')}",
+        "three columns",
+    ),
     "an angle in metres": (
         T.replace("Roll", "Roll [m]"),
         lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "should be an angle",
@@ -214,6 +236,7 @@ def test_rows_before_the_first_fix_are_counted(tmp_path: Path, rows: int) -> Non
             ["trajectory.angles_in_radians"],
         ),
         (T.replace("Time", "Time [ticks]"), HEADING, ["text.unknown_unit"]),
+        (T.replace("Heading", "Heading (mag)"), HEADING, ["text.magnetic_heading"]),
     ],
 )  # fmt: skip
 def test_titles_that_contradict_are_warnings(
@@ -338,6 +361,30 @@ def test_seeds_to_the_west_and_in_radians(tmp_path: Path) -> None:
     path.write_text("name,latitude [rad],longitude [deg W],h\nT1,0.5,70.5,3\n")
     (point,) = read_point_list(path, local=False, degrees=True).points
     assert point.coordinates == pytest.approx((-70.5, np.degrees(0.5), 3))
+
+
+@pytest.mark.parametrize(
+    ("head", "row", "cause"),
+    [
+        ("name,latitude,N/S,longitude,E/W,h", "T1,33.85,S,69.25,W,5", "hemispheres"),
+        ("name,latitude,a,longitude,b,h", "T1,33.85,S,69.25,O,5", "hemispheres"),
+        ("name,latitude,longitude,h", "T1,48.5W,4.5N,5", "is not a number"),
+        ("name,latitude,longitude,h", "T1,4830.25N,00430.5W,5", "is not a number"),
+    ],
+)
+def test_hemispheres_of_seeds_are_not_ignored(
+    tmp_path: Path, head: str, row: str, cause: str
+) -> None:
+    path = tmp_path / "seeds.csv"
+    path.write_text(f"{head}\n{row}\n")
+    with pytest.raises(InputError, match=cause):
+        read_point_list(path, local=False, degrees=True)
+
+
+@pytest.mark.parametrize("title", ["lon [deg W]", "lon [rad]"])
+def test_longitudes_of_points_in_another_way_are_refused(tmp_path: Path, title: str) -> None:
+    with pytest.raises(InputError, match="not in degrees"):
+        points(tmp_path / "a.csv", f"time,{title},lat,h", TIME, *XYZ.T)
 
 
 @pytest.mark.parametrize("title", ["x [cubits]", "x [deg]", "x [s]"])

@@ -42,6 +42,7 @@ from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import (
+    ANGLE_CODES,
     UNKNOWN,
     direction_of,
     is_units_row,
@@ -49,7 +50,7 @@ from lispac.io.units import (
     stated_unit,
     with_units,
 )
-from lispac.messages import Action, Level, Message
+from lispac.messages import Action, Level, Message, Value
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory
 
@@ -291,6 +292,7 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
     separator = choice.get("separator", "auto")
     data = [fields for line in lines if is_data(fields := _split(line, separator))]
     if names and "columns" not in choice:
+        _require_names_for_all(path, names, lines, separator)
         tokens = _hemispheres(path, tokens, data)
         found["columns"] = " ".join(tokens)
     data = _with_positions(path, tokens, data, choice)
@@ -325,8 +327,10 @@ def _tokens(names: list[str]) -> list[str]:
     exact = {bare.strip().lower() for bare in bares} & set(ROLES.values())
     taken: set[str] = set()
     tokens = []
-    for bare in bares:
+    for name, bare in zip(names, bares, strict=True):
         role = role_of(bare)
+        if role in HEIGHTS and stated_unit(name) in ANGLE_CODES:
+            role = ""  # an elevation that is an angle
         waits = role in exact and bare.strip().lower() != role
         tokens.append(role if role and role not in taken and not waits else "-")
         taken |= set() if waits else {role}
@@ -347,6 +351,8 @@ def _stated_options(titles: Sequence[str]) -> dict[str, str]:
     found: dict[str, str] = {}
     for option, roles, units in _UNIT_OPTIONS:
         stated = [stated_unit(title) for title in titles if role_of(_bare(title)) in roles]
+        if option == "heights":
+            stated = [unit for unit in stated if unit not in ANGLE_CODES]
         if not any(stated):
             continue
         word = next((word for word, unit in units.items() if set(stated) - {""} == {unit}), HEADER)
@@ -375,6 +381,26 @@ def _require_one_column_each(path: Path, titles: Sequence[str]) -> None:
             raise InputError(
                 f"{path}: the {role} is in {len(own)} columns ({', '.join(own)}); export it in "
                 "one, as decimal degrees."
+            )
+
+
+def _require_names_for_all(
+    path: Path, names: Sequence[str], lines: Sequence[str], separator: str
+) -> None:
+    """Refuse rows between blanks with more columns than names, which shift against each other.
+
+    Raises
+    ------
+    InputError
+    """
+    for line in lines:
+        fields = _split(line, separator)
+        between_blanks = separator == "blank" or not any(mark in line for mark in ";,\t")
+        if between_blanks and is_data(fields) and len(fields) > len(names):
+            raise InputError(
+                f"{path}: the rows have {len(fields)} columns, but the header names {len(names)}; "
+                "degrees, minutes and seconds between blanks count as three columns. Export "
+                "decimal degrees, or state the columns."
             )
 
 
@@ -525,6 +551,9 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
                 "text.two_columns", Level.WARNING,
                 {"file": file, "columns": tuple(own), "used": used},
             )  # fmt: skip
+        if role == "heading" and _MAGNETIC.search(own[0]):
+            params: dict[str, Value] = {"file": file, "column": own[0]}
+            yield Message("text.magnetic_heading", Level.WARNING, params)
         if role == "time" and stated_unit(own[0]) == UNKNOWN:
             yield Message(
                 "text.unknown_unit", Level.WARNING,
@@ -532,6 +561,7 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
             )  # fmt: skip
 
 
+_MAGNETIC = re.compile(r"(?<![a-z])mag", re.IGNORECASE)
 _KINDS_OF = {"feet": ("international-feet", "us-survey-feet")}
 """Units that say more precisely what a title states."""
 

@@ -21,6 +21,7 @@ from lispac.io.text_table import fields_of, first_lines, is_clock, lines_of
 from lispac.io.trajectory_columns import (
     GRID,
     HEIGHTS,
+    HEMISPHERES,
     POSITION,
     UNIT_WORDS,
     Column,
@@ -33,7 +34,7 @@ from lispac.io.trajectory_columns import (
 from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
-from lispac.io.units import unit_of
+from lispac.io.units import direction_of, unit_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
@@ -101,7 +102,10 @@ def exail_layout(path: Path) -> TextLayout:
         words = described.get(name.lower(), "")
         if role == "sea_height" and "ellips" in words.lower():
             role = "height"
-        unit = unit_of(words)
+        unit = "hemisphere" if role in HEMISPHERES else unit_of(words)
+        way = direction_of(f"{name} [{words}]") if role in POSITION else ""
+        if (role, way) in (("longitude", "west"), ("latitude", "south")):
+            unit = f"{unit or 'deg'}-{way}"
         if role == "time" and index < len(fields):
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.text_layout import MEANINGS, REMARKS
-from lispac.io.text_table import SEPARATORS, coordinate, fields_of, is_number, lines_of
+from lispac.io.text_table import HEMISPHERES, SEPARATORS, coordinate, fields_of, is_number, lines_of
 from lispac.io.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, stated_unit
 from lispac.picks import Role, require_name
 
@@ -138,13 +138,22 @@ def read_point_list(
     else:
         meant, stated = _by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
+    letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
     for number, row_text in (*((first,) if first else ()), *rows):
         if first is None and not points:
             separator = separator_of(row_text)  # names may be parted otherwise than numbers
         fields = fields_of(row_text, separator)
         points.append(_point(path, number, fields, meant, degrees, factors))
+        for k, found in letters.items():
+            found.add(fields[k].strip().upper() if k < len(fields) else "")
     if not points:
         raise InputError(f"{path}: no row of coordinates follows its names; export it again.")
+    for k, found in letters.items() if degrees else ():
+        if found <= {*HEMISPHERES, "O"}:
+            raise InputError(
+                f"{path}: column {k + 1} holds hemispheres ({', '.join(sorted(found))}), which are "
+                "not read there; write them beside the values (48.5N), or give signs."
+            )
     _require_apart(path, points)
     return PointList(path, tuple(points), meant, stated)
 
@@ -322,6 +331,10 @@ def _factors(
     return factors
 
 
+LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
+"""Degrees that longitude and latitude do not exceed, and hemispheres of the other one."""
+
+
 def _point(
     path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
     factors: Mapping[str, float],
@@ -336,7 +349,13 @@ def _point(
         )
     values = []
     for axis in COORDINATES:
-        value = coordinate(fields[at[axis]], degrees=degrees)
+        field = fields[at[axis]]
+        value = coordinate(field, degrees=degrees)
+        if degrees and axis in LIMITS and value is not None:
+            limit, others = LIMITS[axis]
+            ends = {field.strip().upper()[:1], field.strip().upper()[-1:]}
+            if abs(value * factors.get(axis, 1.0)) > limit or ends & set(others):
+                value = None
         if value is None:
             raise InputError(
                 f"{where}: {axis} is {fields[at[axis]][:40]!r}, which is not a number; correct "

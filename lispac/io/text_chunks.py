@@ -38,6 +38,7 @@ from lispac.io.text_units import (
     header_options,
     height_unit_of,
     require_cartesian,
+    require_degrees,
     require_one_unit,
     unit_doubts,
     unit_messages,
@@ -78,6 +79,8 @@ def look(path: Path, choice: Choice) -> Finding:
     """
     path = require_filled(path, "text")
     found, layout, lines = _detected(path)
+    if not choice.get("columns"):
+        require_degrees(path, layout)
     rows = rows_of(lines)
     settled = _settled(found, choice)
     shown = [layout.fields(row) for row in rows[layout.first : layout.first + ROWS]]

@@ -209,6 +209,24 @@ def degrees_and_minutes(field: str) -> float:
     return math.copysign(degrees + minutes / 60, value) * (HEMISPHERES[found[0]] if found else 1.0)
 
 
+def lettered(parse: Callable[[str], float], field: str, *, letters: str) -> float:
+    """A coordinate whose hemisphere, where one is written, is one of ``letters``.
+
+    Raises
+    ------
+    ValueError
+    """
+    text = field.strip().upper()
+    if {text[:1], text[-1:]} & (set(HEMISPHERES) - set(letters)) and not _ends_in_seconds(text):
+        raise ValueError(f"{field!r} is not a coordinate of {' or '.join(letters)}")
+    return parse(field)
+
+
+def _ends_in_seconds(text: str) -> bool:
+    """Whether the last letter marks the seconds, as in ``12D30M05S``."""
+    return text[:1] not in HEMISPHERES and "D" in text and "M" in text and text.count("S") == 1
+
+
 def hemisphere(field: str, o: str = "") -> float:
     """Sign of a hemisphere: 1 for N and E, -1 for S and W.
 

@@ -8,7 +8,7 @@ from lispac.io.points import SCANNER_UNITS
 from lispac.io.registry import Choice
 from lispac.io.text_layout import BEAMS, Layout, bare_name, equal_columns
 from lispac.io.trajectory_grid import LENGTH_WORDS, LENGTHS
-from lispac.io.units import UNITS, UNKNOWN
+from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN, direction_of
 from lispac.messages import Action, Level, Message
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -52,6 +52,29 @@ def require_one_unit(path: Path, layout: Layout) -> None:
         f"{path}: the titles of the columns do not state one unit of length for x, y and z "
         f"({words}); export them in one unit, or set the unit (option unit)."
     )
+
+
+def require_degrees(path: Path, layout: Layout) -> None:
+    """Refuse longitudes and latitudes that are not in degrees to the east and north.
+
+    Raises
+    ------
+    InputError
+    """
+    units = layout.units()
+    for axis, way in (("x", "west"), ("y", "south")):
+        if axis not in layout.names:
+            continue
+        title = layout.titles[layout.names.index(axis)]
+        other = units.get(axis, "") in ANGLE_CODES and units[axis] not in ("deg", "dms")
+        if other or (bare_name(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)):
+            raise InputError(
+                f"{path}: column {title} is not in degrees that count to the east or north; export "
+                "it so."
+            )
+
+
+ANGLE_NAMES = {"lon", "longitude", "lat", "latitude"}
 
 
 def require_cartesian(path: Path, layout: Layout) -> None:

@@ -18,6 +18,7 @@ from lispac.io.text_table import (
     degrees_and_minutes,
     degrees_minutes_seconds,
     hemisphere,
+    lettered,
     number,
 )
 from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
@@ -58,7 +59,8 @@ _NAMES = {
     "eo oe estouest ow wo ostwest",
     "height": "height ellipsoidheight ellipsoidalheight hell hgt heightell h z ellht höhe hoehe "
     "hauteur altitudeellipsoid ellipsoidaltitude ellipsoidalaltitude altitudeellipsoidal",
-    "sea_height": "altitude alt elevation orthoheight orthometricheight msl orthheight hmsl",
+    "sea_height": "seaheight altitude alt elevation orthoheight orthometricheight msl orthheight "
+    "hmsl",
     "roll": "roll roulis",
     "pitch": "pitch tangage",
     "heading": "heading yaw azimuth hdg trueheading cap",
@@ -358,15 +360,36 @@ def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
 def _read(
     path: Path, rows: Rows, columns: Sequence[Column], factors: Mapping[str, float] = _NO_FACTORS
 ) -> tuple[dict[str, Array], Numbers]:
-    """Values by role in radians, metres and seconds; ``factors`` go before the unit's own."""
-    wanted = [(column.index, PARSERS[column.unit][0], column.name) for column in columns]
+    """Values by role in radians, metres and seconds; ``factors`` go before the unit's own.
+
+    Raises
+    ------
+    InputError
+        Where a row cannot be read, or signs contradict the direction in a title.
+    """
+    wanted = [(column.index, _parser(column), column.name) for column in columns]
     table, numbers = columns_of(path, rows, wanted)
+    for column, own in zip(columns, table, strict=True):
+        if column.unit.endswith(("-west", "-south")) and (own < 0).all():
+            way = column.unit.rpartition("-")[2]
+            raise InputError(
+                f"{path}: column {column.name} counts to the {way} by its title, but its values "
+                "are negative; correct the title or the signs."
+            )
     with np.errstate(over="ignore"):
         values = {
             column.role: values * factors.get(column.role, PARSERS[column.unit][1])
             for column, values in zip(columns, table, strict=True)
         }
     return values, numbers
+
+
+def _parser(column: Column) -> Callable[[str], float]:
+    """How a field of a column is read; a letter of the other coordinate is no number."""
+    parse = PARSERS[column.unit][0]
+    if column.role not in POSITION or parse is number:
+        return parse
+    return partial(lettered, parse, letters="NS" if column.role == "latitude" else "EW")
 
 
 def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -> None:
@@ -381,7 +404,7 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
         sign = values.pop(role, None)
         if sign is None:
             continue
-        twice = (values[place] < 0) & (sign < 0)
+        twice = values[place] < 0
         if twice.any():
             row = numbers[int(np.argmax(twice))]
             raise InputError(

@@ -171,7 +171,7 @@ def direction_of(title: str) -> str:
     for word in (parts[-1], parts[0]) if len(parts) > 1 else ():
         if (found := _direction(word)) and word.lower() not in ("s", "n", "e"):
             return found
-    camel = re.search(r"(?<=[a-z])(West|South|Ouest|Sud|W)$", name)
+    camel = re.search(r"(?<=[a-z])(West|South|Ouest|Sud|W|S)$", name)
     return _direction(camel[1]) if camel else ""
 
 

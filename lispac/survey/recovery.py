@@ -75,8 +75,8 @@ class Recovery:
         """What has to hold for the vectors to be those of the scanner, in words."""
         return (
             *self.system.assumptions,
-            "the points were made with this trajectory, lever arm and boresight, by linear "
-            "interpolation, and were not adjusted afterwards",
+            "the points were made with this trajectory, lever arm and boresight, and were "
+            "not adjusted afterwards",
         )
 
     @cached_property

@@ -96,8 +96,12 @@ _LEVELS: Mapping[MessageLevel, Level] = {
 
 def remark_of(message: Message) -> Remark:
     """A message about a file, with a button for each of its actions."""
-    remedies = tuple(map(_remedy_of, message.actions))
+    remedies = tuple(_remedy_of(each) for each in message.actions if each.code in _REMEDIES)
     return Remark(_LEVELS[message.level], message_text(message), remedies)
+
+
+_REMEDIES = ("set_option", "split_line")
+"""Actions that apply to a file."""
 
 
 def _remedy_of(action: Action) -> Remedy:

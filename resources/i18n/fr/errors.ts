@@ -5718,6 +5718,26 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Le fichier devient {count} lignes : {lines}.</translation>
     </message>
     <message>
+        <source>{file:kept}: column {column:kept} is a magnetic heading by its title. All headings are off by the magnetic declination. Export the true heading.</source>
+        <translation>{file} : la colonne {column} est un cap magnétique d&apos;après son titre. Tous les caps sont décalés de la déclinaison magnétique. Exportez le cap vrai.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the rows have {n:n} columns, but the header names {names:n}; degrees, minutes and seconds between blanks count as three columns. Export decimal degrees, or state the columns.</source>
+        <translation>{path} : les lignes ont {n} colonnes, mais l&apos;en-tête en nomme {names} ; degrés, minutes et secondes séparés par des blancs comptent pour trois colonnes. Exportez des degrés décimaux ou indiquez les colonnes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: column {name:kept} counts to the {way:kept} by its title, but its values are negative; correct the title or the signs.</source>
+        <translation>{path} : la colonne {name} compte vers ({way}) d&apos;après son titre, mais ses valeurs sont négatives ; corrigez le titre ou les signes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: column {n:n} holds hemispheres ({letters:kept}), which are not read there; write them beside the values (48.5N), or give signs.</source>
+        <translation>{path} : la colonne {n} contient des hémisphères ({letters}), qui n&apos;y sont pas lus ; écrivez-les à côté des valeurs (48.5N) ou donnez des signes.</translation>
+    </message>
+    <message>
+        <source>{path:file}: column {name:kept} is not in degrees that count to the east or north; export it so.</source>
+        <translation>{path} : la colonne {name} n&apos;est pas en degrés comptés vers l&apos;est ou le nord ; exportez-la ainsi.</translation>
+    </message>
+    <message>
         <source>{count:n} states of the trajectory have no position (latitude and longitude are 0, as before the GNSS has a fix). They are excluded. Start the export at the first fix.</source>
         <translation>{count} états de la trajectoire n&apos;ont pas de position (latitude et longitude nulles, comme avant le premier point GNSS). Ils sont exclus. Faites commencer l&apos;export au premier point.</translation>
     </message>

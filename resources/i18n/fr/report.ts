@@ -2734,8 +2734,8 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>{path} est introuvable ; {line} est utilisée telle qu&apos;elle en avait été importée</translation>
     </message>
     <message>
-        <source>the points were made with this trajectory, lever arm and boresight, by linear interpolation, and were not adjusted afterwards</source>
-        <translation>les points ont été faits avec cette trajectoire, ce bras de levier et ces angles de visée, par interpolation linéaire, et n&apos;ont pas été ajustés ensuite</translation>
+        <source>the points were made with this trajectory, lever arm and boresight, and were not adjusted afterwards</source>
+        <translation>les points ont été faits avec cette trajectoire, ce bras de levier et ces angles de visée et n&apos;ont pas été ajustés ensuite</translation>
     </message>
     <message>
         <source>coordinate system {name:kept}</source>
