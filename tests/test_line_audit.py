@@ -8,10 +8,12 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac.io.formats import format_of
 from lispac.messages import Level, Message
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.line_audit import LineAudit, shared_fraction
 from lispac.survey.screening import PointScreen, PointSelection
+from lispac.workflow.file_audit import file_audit
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.projects import new_project, open_project
@@ -389,6 +391,21 @@ def test_a_file_is_split_into_lines_at_pauses(folder: Path, name: str) -> None:
     assert [len(survey.scans[line]) for line in survey.lines] == [1000, 1500]
     stored = stored_survey(folder)
     assert [len(stored.scans[line]) for line in stored.lines] == [1000, 1500]
+
+
+@pytest.mark.parametrize("period", [3600.0, 86_400.0, 604_800.0])
+@pytest.mark.parametrize(("pause", "passes"), [(0.0, 0), (200.0, 2)])
+def test_a_restart_of_the_times_is_no_pause(
+    folder: Path, period: float, pause: float, passes: int
+) -> None:
+    """A pause that is there besides is counted all the same."""
+    before, after = np.linspace(-30, -0.01, 1500), np.linspace(0.01, 20, 1000)
+    later = after[-1] + pause + np.linspace(0.02, 15, 500)
+    times = np.mod(np.concatenate([before, after, later]), period)
+    path = las(folder / "L1.laz", times, fan(len(times)))
+    messages = file_audit(path, format_of("las"), {}).messages
+    counts = [each.params["count"] for each in messages if each.code == "audit.several_passes"]
+    assert counts == [passes] * bool(passes)
 
 
 def test_passes_with_a_turn_between_them_are_named(folder: Path) -> None:

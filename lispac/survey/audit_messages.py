@@ -1,7 +1,7 @@
 """Messages about the points of a line, from its audit: the object, the number, the effect."""
 
-from collections.abc import Iterator, Mapping
-from itertools import combinations
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from lispac.survey.line_audit import (
     LineAudit,
     shared_fraction,
 )
+from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
 
 COARSE_STEP = 0.9e-3
@@ -23,6 +24,8 @@ MOST_SCANNERS = 8
 """Values of an attribute up to which it is taken to number scanners or passes."""
 SHARED = 0.01
 """Share of its points from which a line repeats another one."""
+NEAR_RESTART = 1.5
+"""Seconds from a restart of the times within which a line runs through it."""
 LONG_PAUSE = 60.0
 """Seconds without points that separate two passes in any case."""
 TURN = np.radians(30.0)
@@ -181,15 +184,16 @@ def _passes(
     name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
     """Passes that one file holds, by pauses over which the vessel turned or that are long."""
-    if len(audit.spans) < 2:
+    spans = _without_restart(audit.spans)
+    if len(spans) < 2:
         return
     passes = 1
-    for (_, before), (after, _) in zip(audit.spans, audit.spans[1:], strict=False):
+    for (_, before), (after, _) in pairwise(spans):
         if trajectory is None or not len(times):
             passes += bool(after - before > LONG_PAUSE)
             continue
         # The audit has the times of the file: only their differences are taken from it.
-        shift = times[0] - audit.spans[0][0]
+        shift = times[0] - spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
         heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
         turned = abs((heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi)
@@ -202,6 +206,27 @@ def _passes(
             Cause.of_line(name),
             (Action("split_line", {"line": name, "by": "gap"}),),
         )
+
+
+def _without_restart(spans: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Spans of times that start again at midnight or at the end of the week, counted on.
+
+    Parameters
+    ----------
+    spans : sequence of (float, float), seconds
+        First and last time between pauses, ascending, as in the file.
+    """
+    own = list(spans)
+    if len(own) < 2:
+        return own
+    for period in (HOUR, DAY, WEEK):
+        if own[0][0] <= NEAR_RESTART and abs(own[-1][1] - period) <= NEAR_RESTART:
+            pauses = [after - before for (_, before), (after, _) in pairwise(own)]
+            k = 1 + int(np.argmax(pauses))
+            counted_on = [(start + period, end + period) for start, end in own[:k]]
+            through = (own[-1][0], counted_on[0][1])  # one span on both sides of the restart
+            return [*own[k:-1], through, *counted_on[1:]]
+    return own
 
 
 def _option(name: str, value: str) -> Action:
