@@ -208,7 +208,7 @@ def _passes(
         )
 
 
-def _without_restart(spans: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+def _without_restart(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
     """Spans of times that start again at midnight or at the end of the week, counted on.
 
     Parameters
@@ -216,7 +216,7 @@ def _without_restart(spans: Sequence[tuple[float, float]]) -> list[tuple[float, 
     spans : sequence of (float, float), seconds
         First and last time between pauses, ascending, as in the file.
     """
-    own = list(spans)
+    own = [(start, end) for start, end in spans]
     if len(own) < 2:
         return own
     for period in (HOUR, DAY, WEEK):
