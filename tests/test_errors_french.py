@@ -9,7 +9,7 @@ import pytest
 from lispac.language.translation import Translator
 from tests.said import FRENCH, covered
 from tests.test_bad_input import rows
-from tests.told import told
+from tests.told import PLACE, progress_texts, told
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
 MODULES = sorted(
@@ -134,6 +134,18 @@ UNSAID = set(chain.from_iterable(NOT_SAID.values()))
 def test_what_the_core_tells_can_be_said_in_french(module: str) -> None:
     found = told(ROOT / module, at_once=True)
     assert [(line, text) for line, text in found if text not in UNSAID and not covered(text)] == []
+
+
+def test_progress_messages_have_a_whole_french_translation() -> None:
+    """Whole: the beginning of a longer English text is no translation of a message."""
+    texts = [text for module in MODULES for _, text in progress_texts(ROOT / module)]
+    assert len(texts) > 50
+    untranslated = []
+    for text in texts:
+        say = Translator(FRENCH, {PLACE})
+        say(text)
+        untranslated += say.unknown
+    assert untranslated == []
 
 
 def test_what_is_not_said_is_there_and_not_translated() -> None:

@@ -3634,10 +3634,6 @@
         <translation>Examen de {file}</translation>
     </message>
     <message>
-        <source>Looking into {file:kept} ({n:n} of {all:n})</source>
-        <translation>Examen de {file} ({n} sur {all})</translation>
-    </message>
-    <message>
         <source>It cannot be looked into ({kind:kept}: {error}).</source>
         <translation>Il ne peut être examiné ({kind} : {error}).</translation>
     </message>
@@ -6639,6 +6635,18 @@ m/s</translation>
     <message>
         <source>{n:n} calibrations of {k:n} systems</source>
         <translation>{n} étalonnages de {k} systèmes</translation>
+    </message>
+    <message>
+        <source>Checking {file:kept}</source>
+        <translation>Contrôle de {file}</translation>
+    </message>
+    <message>
+        <source>{folder:kept} ({n:n} of {all:n})</source>
+        <translation>{folder} ({n} sur {all})</translation>
+    </message>
+    <message>
+        <source>{n:n} projects</source>
+        <translation>{n} projets</translation>
     </message>
     <message>
         <source>Scanned line {n:n} of {all:n}</source>

@@ -268,7 +268,7 @@ class ImportDialog(QDialog):
             each.setVisible(busy)
         self.again.setVisible(self.work.was_stopped and not busy)
         self.progress.setValue(round(1000 * self.work.fraction))
-        self.doing.setText(say(self.work.words))
+        self.doing.setText(self.work.words)
         if not busy:
             self._show_reason()
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import Cancelled
 from lispac.gui.dialogs.error import describe
+from lispac.gui.language import say
 from lispac.gui.tasks import TaskRunner
 from lispac.progress import Progress
 from lispac.workflow.intake import Intake, gathered, project_among
@@ -101,13 +102,13 @@ class Work(QObject):
 
     @property
     def words(self) -> str:
-        """What is being done."""
+        """What is being done, in the user's language."""
         task = self.runner.current
         if task is None:
             return ""
         total = self._done + sum(entry.pending for entry in self.intake.entries)
-        what = task.message or task.title
-        return f"{what} ({self._done + 1} of {total})" if total > 1 else what
+        what = say(task.message or task.title)
+        return f"{what} ({say(f'{self._done + 1} of {total}')})" if total > 1 else what
 
     @property
     def fraction(self) -> float:
