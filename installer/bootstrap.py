@@ -156,7 +156,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     kind = {"demo": "run", "run": "run", "bundle": "bundle"}.get(options.command, "test")
     if kind == "bundle":
         environment.use_folder(environment.CHECKOUT / "build" / "bundle-env")
-    cache = environment.user_cache(sys.platform, os.environ, Path.home())
+    cache = environment.user_cache(sys.platform, os.environ, environment.home_folder())
     try:
         ensure_system(kind)
         environment.ensure_installed(kind, cache)

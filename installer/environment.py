@@ -43,6 +43,14 @@ def use_folder(folder: Path) -> None:
     STAMP, INSTALL_LOG = folder / STAMP.name, folder / INSTALL_LOG.name
 
 
+def home_folder() -> Path:
+    """The user's home directory; for an account without one, a folder of the environment."""
+    try:
+        return Path.home()
+    except RuntimeError:
+        return ENVIRONMENT / "cache" / "home"
+
+
 def user_cache(platform: str, variables: Mapping[str, str], home: Path) -> Path:
     """The program's folder in the user's cache folder."""
     if platform == "win32":

@@ -64,9 +64,23 @@ __all__ = ["__version__", *sorted(_WHERE)]
 def __getattr__(name: str) -> Any:
     if name not in _WHERE:
         raise AttributeError(f"module 'lispac' has no attribute {name!r}")
+    _use_cache()
     found = getattr(import_module(_WHERE[name]), name)
     globals()[name] = found
     return found
+
+
+def _use_cache() -> None:
+    """Tell Numba where compiled code goes, before it is imported; warn where that is temporary."""
+    import os
+    import warnings
+
+    from lispac import caches
+
+    if (message := caches.use(os.environ)) is not None:
+        from lispac.message_texts import message_text
+
+        warnings.warn(message_text(message), stacklevel=3)
 
 
 def __dir__() -> list[str]:

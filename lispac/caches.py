@@ -1,7 +1,8 @@
 """The cache: what the program can make again (built-in survey, manual, compiled code, fonts).
 
-Its place is the user's choice, for the window and the command line alike. Nothing that the program
-has not put there is ever removed from it.
+Its place is the user's choice, for the window and the command line alike; where that cannot be
+written, as in a home directory that is missing or read-only, a temporary folder takes its place.
+Nothing that the program has not put there is ever removed from it.
 """
 
 import os
@@ -9,10 +10,12 @@ import shutil
 import sys
 from collections.abc import MutableMapping
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.installed import user_folder
+from lispac.installed import home_folder, temporary_folder, user_folder
+from lispac.messages import Level, Message
 
 CHOICE = "cache-folder.txt"
 """Beside what else the user has for all projects."""
@@ -27,7 +30,7 @@ VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
 
 def usual_folder() -> Path:
     """The user's cache folder, as the system has it."""
-    home = Path.home()
+    home = home_folder()
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local")) / "cache"
     if sys.platform == "darwin":
@@ -56,8 +59,28 @@ def place_in(folder: Path | None) -> Path:
 
 
 def cache_place(config: Path | None = None) -> Path:
-    """Where the cache lies; it need not exist."""
-    return place_in(chosen_folder(config))
+    """Where the cache lies: as chosen, or temporary where that cannot be written."""
+    return writable_or_temporary(place_in(chosen_folder(config)))
+
+
+def writable_or_temporary(place: Path) -> Path:
+    """A folder where it can be written, which it is tried for once; else a temporary one."""
+    return place if _can_be_written(place) else temporary_folder()
+
+
+@cache
+def _can_be_written(place: Path) -> bool:
+    home = home_folder()
+    if place.is_relative_to(home) and not home.is_dir():
+        return False  # a home directory is not for this program to make
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        trial = place / f".trial-{os.getpid()}"
+        trial.write_bytes(b"")
+        trial.unlink()
+    except OSError:
+        return False
+    return True
 
 
 def require_writable(folder: Path) -> None:
@@ -132,16 +155,40 @@ def empty(place: Path) -> None:
             ) from error
 
 
-def use(variables: MutableMapping[str, str]) -> None:
-    """Tell the packages that keep something where to; what is set already stays.
+def use(variables: MutableMapping[str, str]) -> Message | None:
+    """Tell the packages that keep something where to; what is set already and can be used stays.
 
     Parameters
     ----------
-    variables : of the environment of this process
+    variables : mutable mapping of str to str
+        The environment of this process, which is changed.
+
+    Returns
+    -------
+    Message or None
+        A note where something is kept in a temporary folder because its own cannot be written.
     """
+    wanted = place_in(chosen_folder())
     place = cache_place()
+    refused = [] if place == wanted else [wanted]
     for variable, part in VARIABLES.items():
-        variables.setdefault(variable, str(place / part))
+        given = variables.get(variable)
+        if given and not _may_be_written(Path(given)):
+            refused.append(Path(given))
+            given = ""
+        variables[variable] = given or str(place / part)
+    if not refused:
+        return None
+    return Message(
+        "cache.not_writable", Level.NOTE, {"folder": str(refused[0]), "used": str(place)}
+    )
+
+
+def _may_be_written(folder: Path) -> bool:
+    """Whether nothing speaks against writing to a folder, which need not exist."""
+    folder = folder.absolute()
+    there = next(each for each in (folder, *folder.parents) if os.path.exists(each))
+    return os.path.isdir(there) and os.access(there, os.W_OK | os.X_OK)
 
 
 def _parts(place: Path) -> list[Path]:

@@ -1,7 +1,11 @@
 """Where things are: files that are not code, and what the user keeps for all projects."""
 
 import os
+import stat
 import sys
+import tempfile
+from contextlib import suppress
+from functools import cache
 from pathlib import Path
 
 import lispac
@@ -34,9 +38,50 @@ def window_command() -> list[str]:
     return [sys.executable, "-m", "lispac.gui"]
 
 
+def home_folder() -> Path:
+    """The user's home directory as the system names it, there or not.
+
+    An account without one, as in a container, has `temporary_folder` instead.
+    """
+    try:
+        return Path.home()
+    except RuntimeError:
+        return temporary_folder()
+
+
+def expanded(path: Path) -> Path:
+    """A path with ``~`` replaced; as it is where there is no such user."""
+    with suppress(RuntimeError):
+        return path.expanduser()
+    return path
+
+
+@cache
+def temporary_folder() -> Path:
+    """A folder among the temporary files that only this user can write to.
+
+    It is the same in every run, unless another user has taken its name: compiled code is read from
+    it, so a folder that others can write to is not used.
+    """
+    user = f"-{os.getuid()}" if hasattr(os, "getuid") else ""
+    folder = Path(tempfile.gettempdir()) / f"lispac{user}"
+    with suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    return folder if _is_private(folder) else Path(tempfile.mkdtemp(prefix="lispac-"))
+
+
+def _is_private(folder: Path) -> bool:
+    found = folder.lstat()
+    if not stat.S_ISDIR(found.st_mode):
+        return False
+    if not hasattr(os, "getuid"):  # Windows: the temporary files are the user's own
+        return True
+    return found.st_uid == os.getuid() and not found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
 def user_folder() -> Path:
     """What the user has made for all projects, sensors for example; it need not exist."""
-    home = Path.home()
+    home = home_folder()
     if sys.platform == "win32":
         place = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))
     elif sys.platform == "darwin":

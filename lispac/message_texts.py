@@ -208,6 +208,12 @@ TEXTS: Mapping[str, str] = {
         "{file}: {count:n} of {total:n} points are marked as invalid in the file. They are not "
         "used."
     ),
+    # -- the program itself ------------------------------------------------------------------
+    "cache.not_writable": (
+        "{folder} cannot be written, so the cache is kept in {used}. Compiled code, the settings "
+        "of the window and recent projects may be lost when the computer restarts. Make the folder "
+        "writable, or choose another cache folder in the settings."
+    ),
 }
 """Text of each message code; `MessageFormatter` explains the format specifications."""
 

@@ -1,13 +1,16 @@
 """The place of the cache: chosen once for window and command line, and emptied of ours alone."""
 
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
+from functools import cache
 from pathlib import Path
 
 import pytest
 
-from lispac import caches
+from lispac import caches, installed
 from lispac.errors import InputError
 
 
@@ -31,8 +34,8 @@ def test_the_choice_is_kept_and_taken_back(config: Path, tmp_path: Path) -> None
     assert caches.chosen_folder(config) is None
     assert caches.cache_place(config) == caches.usual_folder() / "lispac"
     caches.choose(tmp_path / "élan disk", config)
-    assert caches.cache_place(config) == tmp_path / "élan disk" / "lispac"
     assert not (tmp_path / "élan disk").exists()  # nothing is left of the trial
+    assert caches.cache_place(config) == tmp_path / "élan disk" / "lispac"
     caches.choose(None, config)
     assert caches.chosen_folder(config) is None
 
@@ -146,3 +149,141 @@ def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.Mon
         f"{place / 'numba'}: cannot be removed (in use); close other programs that may use it and "
         "try again."
     )
+
+
+def environment_of(home: Path | str | None) -> dict[str, str]:
+    """Variables of a process with this home directory and no other folders of the user's."""
+    own = (*caches.VARIABLES, "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME")
+    variables = {name: value for name, value in os.environ.items() if name not in own}
+    return variables if home is None else variables | {"HOME": str(home)}
+
+
+def ran(words: list[str], home: Path | str | None) -> subprocess.CompletedProcess[str]:
+    """``python -c ...`` with that home directory."""
+    program = [sys.executable, *words]
+    if os.geteuid() == 0 and shutil.which("setpriv"):  # so that root minds permissions
+        own = "-dac_override"
+        program = ["setpriv", "--bounding-set", own, "--inh-caps", own, *program]
+    return subprocess.run(
+        program, capture_output=True, text=True, env=environment_of(home), check=False
+    )
+
+
+@pytest.fixture
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder for temporary files of processes started here."""
+    folder = tmp_path / "tmp"
+    folder.mkdir()
+    monkeypatch.setenv("TMPDIR", str(folder))
+    return folder
+
+
+NO_HOMES = ["a file", "missing", "below /proc", "read-only"]
+
+
+@pytest.fixture
+def no_home(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """A home directory that nothing can be written to, of the kind that is asked for."""
+    kind = request.param
+    if kind == "a file":
+        (tmp_path / "file").write_text("")
+        return tmp_path / "file"
+    if kind == "missing":
+        return tmp_path / "missing"
+    if kind == "below /proc":
+        return Path("/proc/lispac-home")
+    if os.geteuid() == 0 and not shutil.which("setpriv"):
+        pytest.skip("root writes to read-only folders, and nothing here takes that from it")
+    (tmp_path / "home").mkdir(mode=0o555)
+    return tmp_path / "home"
+
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="the variables are those of Linux")
+MAKE_A_SURVEY = (
+    "from lispac.cli.main import main; import os, sys; code = main(sys.argv[1:]); "
+    "print(os.environ['NUMBA_CACHE_DIR'], os.environ['MPLCONFIGDIR']); sys.exit(code)"
+)
+
+
+@linux
+@pytest.mark.parametrize("no_home", NO_HOMES, indirect=True)
+def test_without_a_home_the_command_line_works_and_says_so_once(
+    no_home: Path, temporary: Path
+) -> None:
+    done = ran(["-c", MAKE_A_SURVEY, "sensors", "--json"], no_home)
+    assert done.returncode == 0, done.stderr
+    assert [line[:5] for line in done.stderr.splitlines()] == ["note:"]
+    assert f"{no_home / '.cache' / 'lispac'} cannot be written" in done.stderr
+    places = [Path(word) for word in done.stdout.splitlines()[-1].split()]
+    assert [place.name for place in places] == ["numba", "matplotlib"]
+    assert all(place.is_relative_to(temporary) for place in places)
+    (folder,) = temporary.iterdir()
+    assert folder.stat().st_mode & 0o777 == 0o700
+    assert not no_home.is_dir() or not any(no_home.iterdir())
+
+
+@linux
+def test_compiled_code_is_kept_from_run_to_run_without_a_home(
+    tmp_path: Path, temporary: Path
+) -> None:
+    words = ["-c", "import lispac; lispac.open; import lispac.survey.kernels as k; "
+             "print(k.bounds.stats.cache_path)"]  # fmt: skip
+    first, second = (ran(words, tmp_path / "missing") for _ in range(2))
+    assert first.returncode == 0, first.stderr
+    assert "cannot be written" in first.stderr
+    assert Path(first.stdout.strip()).is_relative_to(temporary)
+    assert second.stdout == first.stdout
+
+
+@linux
+def test_a_folder_that_others_can_write_to_is_not_used(tmp_path: Path, temporary: Path) -> None:
+    taken = temporary / f"lispac-{os.getuid()}"
+    taken.mkdir()
+    taken.chmod(0o777)
+    done = ran(["-c", MAKE_A_SURVEY, "sensors"], tmp_path / "missing")
+    assert done.returncode == 0, done.stderr
+    assert not any(taken.iterdir())
+    assert str(taken / "numba") not in done.stdout
+
+
+@linux
+def test_a_home_that_can_be_written_gives_no_note(tmp_path: Path, temporary: Path) -> None:
+    done = ran(["-c", MAKE_A_SURVEY, "sensors"], tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.split()[-1] == str(tmp_path / ".cache" / "lispac" / "matplotlib")
+    assert not any(temporary.iterdir())
+
+
+@linux
+def test_a_numba_folder_that_cannot_be_written_is_replaced(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
+    variables = {"NUMBA_CACHE_DIR": "/dev/null/numba", "MPLCONFIGDIR": str(tmp_path / "own")}
+    message = caches.use(variables)
+    assert message is not None
+    assert message.code == "cache.not_writable"
+    assert message.params["folder"] == "/dev/null/numba"
+    assert variables == {
+        "NUMBA_CACHE_DIR": str(tmp_path / "cache" / "lispac" / "numba"),
+        "MPLCONFIGDIR": str(tmp_path / "own"),
+    }
+
+
+def test_an_account_without_a_home_has_a_temporary_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def none() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    for name in ("LOCALAPPDATA", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(Path, "home", none)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    temporary_folder = cache(installed.temporary_folder.__wrapped__)
+    for module in (installed, caches):
+        monkeypatch.setattr(module, "temporary_folder", temporary_folder)
+    assert installed.user_folder().is_relative_to(tmp_path)
+    assert caches.usual_folder().is_relative_to(tmp_path)
+    assert installed.expanded(Path("~nobody-of-this-name/x")) == Path("~nobody-of-this-name/x")

@@ -26,7 +26,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         # Its own module only, after parsing: --version and --help answer without NumPy and
         # Numba, and no command waits for what another needs.
-        caches.use(os.environ)
+        if (message := caches.use(os.environ)) is not None:
+            from lispac.message_texts import message_text
+
+            print(f"note: {message_text(message)}", file=sys.stderr)
         module = import_module(f"lispac.cli.{arguments.command}")
         getattr(module, arguments.command)(arguments)
     except UsageError as error:

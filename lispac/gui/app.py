@@ -58,12 +58,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     # Wayland takes the icon from the desktop entry of this name
     application.setDesktopFileName("lispac")
 
-    caches.use(os.environ)
+    message = caches.use(os.environ)
     gc.disable()  # `Tidying` takes over; among what is imported there is nothing to be found
     from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session
     from lispac.gui.tidying import Tidying
     from lispac.gui.viewport.late import LateViewport
+    from lispac.message_texts import message_text
 
     tidying = Tidying(application)
     session = Session(application, lambda: LateViewport(_viewport))
@@ -74,6 +75,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         application.document_asked.connect(lambda path: session.window.open_project(path))
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()
+    if message is not None:
+        session.window.controller.noted.emit(message_text(message))
     if arguments.project is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
     elif (crashed := session.left_by_a_crash()) is not None:

@@ -18,6 +18,7 @@ from lispac.gui.design.window import DesignWindow
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels.histograms import preload
 from lispac.gui.tasks import TaskRunner
+from lispac.installed import home_folder
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.progress import Progress
 from lispac.workflow.designing import headline, write_field_plan
@@ -175,7 +176,7 @@ class Designing(QObject):
 
     @property
     def _start(self) -> Path:
-        return Path.home() if self._path is None else self._path.parent
+        return home_folder() if self._path is None else self._path.parent
 
     def _whole(self) -> None:
         plan = self.workspace.titled.plan

@@ -18,6 +18,7 @@ from lispac.gui.language import say
 from lispac.gui.places import kept
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
+from lispac.installed import home_folder
 from lispac.io.seed_file import looks_like_a_list
 from lispac.project import Project, Settings
 from lispac.workflow.export_request import What
@@ -115,7 +116,7 @@ class ProjectLife(QObject):
         """Ask for a project, and open it."""
         if self.may_leave():
             recent = self._settings.recent()
-            path = self._dialogs.project_to_open(recent[0].parent if recent else Path.home())
+            path = self._dialogs.project_to_open(recent[0].parent if recent else home_folder())
             if path is not None:
                 self._controller.open(path)
 
@@ -194,6 +195,6 @@ def _beside(folder: Path) -> Path:
     """A free name beside the project, or at home where nothing can be written or is not kept."""
     parent = kept(folder.parent)
     if not os.access(parent, os.W_OK):
-        parent = Path.home()
+        parent = home_folder()
     names = (f"{folder.name}-{k}" for k in itertools.count(2))
     return next(parent / name for name in names if not (parent / name).exists())

@@ -15,6 +15,7 @@ from lispac.gui.document import Document
 from lispac.gui.panels.section import SectionPanel
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Viewport
+from lispac.installed import home_folder
 from lispac.io.files import written_whole
 from lispac.progress import Progress
 
@@ -109,5 +110,5 @@ class Pictures(QObject):
         project = self._document.project
         words = "".join(c if c.isalnum() else "-" for c in what.lower())
         if project is None:
-            return Path.home() / f"{words}.png"
+            return home_folder() / f"{words}.png"
         return project.folder / f"{project.name}-{words}.png"

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QStandardPaths
 
 from lispac.caches import cache_place
+from lispac.installed import home_folder
 
 
 def kept(folder: Path) -> Path:
@@ -12,4 +13,4 @@ def kept(folder: Path) -> Path:
     if not folder.is_relative_to(cache_place()):
         return folder
     documents = QStandardPaths.StandardLocation.DocumentsLocation
-    return Path(QStandardPaths.writableLocation(documents) or Path.home())
+    return Path(QStandardPaths.writableLocation(documents) or home_folder())

@@ -13,6 +13,7 @@ from PySide6.QtGui import QImage
 from lispac.errors import InputError
 from lispac.gui.photographer import Photographer
 from lispac.gui.places import kept
+from lispac.installed import home_folder
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
@@ -63,7 +64,7 @@ class Reporting(QObject):
     def ask_template(self) -> None:
         """Ask for a template."""
         last = self._settings.report_choice()[0]
-        path = self._dialogs.report_template(Path(last).parent if last else Path.home())
+        path = self._dialogs.report_template(Path(last).parent if last else home_folder())
         if path is not None:
             self._panel.show_template(path)
             self._remember()

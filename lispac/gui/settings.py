@@ -35,7 +35,8 @@ class AppSettings:
         cache = QStandardPaths.writableLocation(
             QStandardPaths.StandardLocation.GenericCacheLocation
         )
-        path = Path(cache) / "lispac" / "window.ini" if file is None else file
+        place = caches.place_in(Path(cache))
+        path = caches.writable_or_temporary(place) / "window.ini" if file is None else file
         self.folder = path.parent
         # One's own sensors are work, so they are kept where nothing is thrown away.
         self._config = None if file is None else path.parent

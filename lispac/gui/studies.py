@@ -4,12 +4,12 @@ Of an answer: against a reference, over the years, with other distances between 
 source of error does, and how well the lines fit each other.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from lispac.gui.panels.histograms import preload
+from lispac.installed import home_folder
 from lispac.progress import Progress, part
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute
@@ -51,7 +51,7 @@ class Studies(QObject):
     def history(self) -> None:
         """Show the calibrations of a vessel's system in a folder of projects."""
         project = self._document.project
-        start = Path.home() if project is None else project.folder.parent
+        start = home_folder() if project is None else project.folder.parent
         folder = self._dialogs.folder_of_projects(start)
         if folder is None:
             return

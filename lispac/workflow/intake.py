@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal
 
 from lispac.identity import BLANK, Identity
+from lispac.installed import expanded, home_folder
 from lispac.io.project_file import FILE_NAME, is_project_file
 from lispac.io.registry import POSSIBLE, Kind
 from lispac.project import LineSource, Project, Settings
@@ -377,7 +378,7 @@ def folder_problem(folder: str) -> str:
     """Why a project cannot be made there; empty where it can."""
     if not folder.strip():
         return "Choose a folder for the project."
-    place = Path(folder.strip()).expanduser()
+    place = expanded(Path(folder.strip()))
     if (place / FILE_NAME).exists():
         return "There is a project in this folder already; choose another."
     if place.is_file():
@@ -395,7 +396,7 @@ def proposed_folder(intake: Intake) -> Path | None:
         return None
     data = used[0].path.parent
     for name in ("boresight", *(f"boresight-{k}" for k in range(2, 20))):
-        for place in (data / name, Path.home() / f"{data.name}-{name}"):
+        for place in (data / name, home_folder() / f"{data.name}-{name}"):
             if not folder_problem(str(place)) and not place.exists():
                 return place
     return None

@@ -5,12 +5,16 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from lispac.gui.dialogs.import_files.dialog import survey_files
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 
 ASKED = """
 import sys
 from pathlib import Path
+
+import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtGui import QFileOpenEvent
 from lispac.gui.app import Application
@@ -41,3 +45,43 @@ def test_the_dialogue_shows_the_files_of_every_format() -> None:
     for each in (*POINTS, *TRAJECTORIES, *ACCURACIES):
         assert {f"*{ending}" for ending in each.endings} <= set(patterns), each.name
     assert everything.endswith(" (*)")
+
+
+WINDOW = """
+import sys
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication, QMainWindow
+from lispac.gui import app
+
+def look():
+    (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
+    print(window.log.toPlainText())
+    window.settings.units = ("degrees", "millimetres")
+    window.settings.sync()
+    print(window.settings.folder)
+    QApplication.exit(0)
+
+app.IMPORT_AFTER_MS = 3_600_000
+application = QApplication(sys.argv[:1])
+QTimer.singleShot(0, look)
+sys.exit(app.main([]))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the variables are those of Linux")
+def test_the_window_says_that_the_home_directory_cannot_be_written(tmp_path: Path) -> None:
+    own = ("NUMBA_CACHE_DIR", "MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME")
+    variables = {name: value for name, value in os.environ.items() if name not in own}
+    home = tmp_path / "missing"
+    variables |= {"HOME": str(home), "TMPDIR": str(tmp_path), "QT_QPA_PLATFORM": "offscreen"}
+    done = subprocess.run(
+        [sys.executable, "-c", WINDOW],
+        capture_output=True, text=True, check=False, timeout=60, env=variables,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    said, folder = done.stdout.strip().rsplit("\n", 1)
+    assert said.count(f"{home / '.cache' / 'lispac'} cannot be written") == 1
+    assert Path(folder).parent == tmp_path
+    assert (Path(folder) / "window.ini").is_file()
+    assert "cannot be written" in (Path(folder) / "lispac.log").read_text()
+    assert not home.exists()

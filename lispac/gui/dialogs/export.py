@@ -22,6 +22,7 @@ from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import HEIGHTS, REST_MS, system_box, system_text
 from lispac.gui.language import say, say_all, say_sentences
 from lispac.gui.panels import widgets
+from lispac.installed import expanded
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import (
@@ -145,7 +146,7 @@ class ExportDialog(QDialog):
         """What was asked for."""
         what, form = self._what, self._form
         # A relative name is meant beside the project, not where the program was started.
-        output = self._project.folder / Path(self.folder.text().strip()).expanduser()
+        output = self._project.folder / expanded(Path(self.folder.text().strip()))
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"

@@ -5919,6 +5919,13 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
 </context>
 <context>
+    <name>cache folder</name>
+    <message>
+        <source>{folder:file} cannot be written, so the cache is kept in {used:file}. Compiled code, the settings of the window and recent projects may be lost when the computer restarts. Make the folder writable, or choose another cache folder in the settings.</source>
+        <translation>{folder} n&apos;est pas accessible en écriture ; le cache est donc conservé dans {used}. Le code compilé, les préférences de la fenêtre et les projets récents peuvent être perdus au redémarrage de l&apos;ordinateur. Rendez le dossier accessible en écriture, ou choisissez un autre dossier de cache dans les préférences.</translation>
+    </message>
+</context>
+<context>
     <name>local frame</name>
 </context>
 <context>

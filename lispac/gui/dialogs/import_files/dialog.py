@@ -37,6 +37,7 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
+from lispac.installed import expanded
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
 from lispac.workflow.sensors import library
@@ -90,7 +91,7 @@ class ImportDialog(QDialog):
 
     def request(self) -> ImportRequest:
         """What the project is to be made of."""
-        folder = Path(self.folder.text().strip()).expanduser()
+        folder = expanded(Path(self.folder.text().strip()))
         identity = BLANK.changed(**self.mounting.sensors.titles)
         return replace(self.intake.request(folder, self.mounting.settings()), identity=identity)
 
