@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding
+from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding
+from lispac.io.text_export import written_options
 from lispac.io.text_table import (
     fields_of,
     first_lines,
@@ -88,6 +89,8 @@ _COMMENT = ("#", "%", "//", ";")
 def sniff_ascii(path: Path) -> float:
     """How likely this is a trajectory: a row of names that mean one, or enough numbers a row."""
     lines = first_lines(path, 60)
+    if written_options(lines):
+        return SURE
     names = _header_names(lines)
     data = [fields for line in lines if is_data(fields := _split(line, "auto"))]
     if not data:
@@ -276,6 +279,8 @@ def _conventions(chosen: dict[str, str]) -> Conventions:
 def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
     """Columns, units and time base by a row of names and by the first values."""
     lines = first_lines(path, 60)
+    if own := written_options(lines):
+        return own, []
     names = _header_names(lines)
     found: dict[str, str] = {}
     doubts: list[str] = []

@@ -7,6 +7,7 @@ from lispac.io.pcd import PCD
 from lispac.io.plane_points import PLANES
 from lispac.io.ply import PLY
 from lispac.io.registry import Format
+from lispac.io.target_points import TARGETS
 from lispac.io.text_chunks import TEXT
 
-POINTS: tuple[Format, ...] = (LAS, E57, PLY, PCD, CIDCO, PLANES, TEXT)
+POINTS: tuple[Format, ...] = (LAS, E57, PLY, PCD, CIDCO, PLANES, TARGETS, TEXT)

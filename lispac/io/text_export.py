@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.survey.crs import CoordinateSystem
+from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory
 
 TRAJECTORY_HEADER = (
@@ -20,6 +21,32 @@ TRAJECTORY_HEADER = (
     "time latitude longitude height roll pitch heading",
 )
 """Above the numbers; the last line names the columns as `lispac.io.ascii_trajectory` knows them."""
+TIME_BASE = "# Time base: "
+"""Begins the line of the header that names the time base, where it is known."""
+TRAJECTORY_OPTIONS = {
+    "columns": TRAJECTORY_HEADER[-1], "position": "degrees", "attitude": "degrees",
+    "roll": "starboard-down", "pitch": "bow-up", "heading": "true",
+}  # fmt: skip
+"""Options of `lispac.io.ascii_trajectory` that read it."""
+
+LINE_AND_TIME = ("line", "time (s)")
+SCANNER_NAMES = ("x lidar (m)", "y lidar (m)", "z lidar (m)")
+"""Names of columns of an exported target, by which `lispac.io.target_points` knows it."""
+
+
+def written_options(lines: Sequence[str]) -> dict[str, str]:
+    """Options that read a trajectory as this program writes it; empty for another file.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        The first of the file.
+    """
+    if not lines or lines[0].strip() != TRAJECTORY_HEADER[0]:
+        return {}
+    bases = [line.strip().removeprefix(TIME_BASE) for line in lines if line.startswith(TIME_BASE)]
+    known = [base for base in bases if base in KEYS]
+    return TRAJECTORY_OPTIONS | ({"time": known[0]} if known else {})
 
 
 def write_table(
@@ -69,10 +96,15 @@ def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], 
     return names, (".4f", ".4f", ".4f")
 
 
-def write_trajectory_text(path: Path, trajectory: Trajectory) -> None:
+def write_trajectory_text(path: Path, trajectory: Trajectory, time_base: str = "") -> None:
     """Write a trajectory as text: degrees and metres, signs after Applanix, as the header says.
 
     Position to 0.01 mm, attitude to 1e-9 deg.
+
+    Parameters
+    ----------
+    time_base : str
+        Key of what its times count; empty where that is not known.
     """
     signs = np.array([1.0, -1.0, 1.0])  # pitch is positive bow down inside
     attitude = np.degrees(trajectory.attitude * signs)
@@ -87,5 +119,7 @@ def write_trajectory_text(path: Path, trajectory: Trajectory) -> None:
         ]
     )
     with path.open("w", encoding="utf-8", newline="\n") as file:
-        file.write("\n".join(TRAJECTORY_HEADER) + "\n")
+        *remarks, names = TRAJECTORY_HEADER
+        base = [f"{TIME_BASE}{time_base}"] if time_base else []
+        file.write("\n".join([*remarks, *base, names]) + "\n")
         np.savetxt(file, rows, fmt="%.9f %.11f %.11f %.5f %.9f %.9f %.9f")

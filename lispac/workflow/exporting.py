@@ -17,7 +17,13 @@ from lispac.io.las_export import cloud_file, pattern_of_columns
 from lispac.io.plane_file import write_plane_file
 from lispac.io.registry import PointChunk
 from lispac.io.sbet import write_sbet
-from lispac.io.text_export import coordinate_names, write_table, write_trajectory_text
+from lispac.io.text_export import (
+    LINE_AND_TIME,
+    SCANNER_NAMES,
+    coordinate_names,
+    write_table,
+    write_trajectory_text,
+)
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
@@ -166,7 +172,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
         write_sbet(output, trajectory)
     else:
         with written_whole(output) as temporary:
-            write_trajectory_text(temporary, trajectory)
+            write_trajectory_text(temporary, trajectory, _trajectory_base(project))
     return output
 
 
@@ -211,7 +217,7 @@ def _write_csv(
 ) -> None:
     names, formats = coordinate_names(system)
     columns = [np.array(lines)[own.line], own.time, *placed.T, *own.points_lidar.T]
-    titles = ["line", "time (s)", *names, "x lidar (m)", "y lidar (m)", "z lidar (m)"]
+    titles = [*LINE_AND_TIME, *names, *SCANNER_NAMES]
     forms = ["s", ".9f", *formats, ".5f", ".5f", ".5f"]
     if own.intensity is not None:
         columns.append(own.intensity)

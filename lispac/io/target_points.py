@@ -1,0 +1,106 @@
+"""Targets as CSV, as this program exports them, read as points of a line."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.points import (
+    PLACE,
+    place_facts,
+    plainly,
+    require_filled,
+    require_points,
+    scale_of,
+    sniffer,
+    table,
+    time_base,
+)
+from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.io.sight import sight
+from lispac.io.text_export import LINE_AND_TIME, SCANNER_NAMES
+
+FIRST_LIDAR = 5
+"""Column of the scanner's x: line, time and three coordinates on the map or in the local frame come
+before it."""
+INTENSITY = 8
+
+
+@sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """The names of the columns as they are exported."""
+    names = head.split(b"\n", 1)[0].decode("utf-8").strip().split(",")
+    lidar = tuple(names[FIRST_LIDAR : FIRST_LIDAR + 3])
+    return SURE if tuple(names[:2]) == LINE_AND_TIME and lidar == SCANNER_NAMES else NOT
+
+
+def look(path: Path, choice: Choice) -> Finding:
+    """Read the file; targets are small.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is damaged.
+    """
+    chunk = _read(require_filled(path, "target"))
+    settled = TARGETS.settled(choice)
+    seen = sight(chunk.xyz, chunk.time, crs="")
+    facts = {
+        "format": "target as CSV",
+        "points": f"{len(chunk.time):,}",
+        **place_facts(settled),
+        "time base": time_base(chunk.time, settled["time_base"]),
+        **seen.facts,
+        "assumed": "LiDAR coordinates are taken; points and trajectory share one time base",
+    }
+    doubt = "A target holds its points on all lines, not one line."
+    rows = table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
+    return Finding(facts, rows, {}, (doubt, *seen.doubts))
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read as one chunk; lines are numbered from 1 as ``point_source_id``.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is damaged.
+    """
+    path = require_filled(path, "target")
+    scale = scale_of(TARGETS.settled(choice))
+    chunk = _read(path)
+    require_points(chunk.xyz, chunk.time, path)
+    yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)
+
+
+def _read(path: Path) -> PointChunk:
+    """The points in the LiDAR frame.
+
+    Raises
+    ------
+    InputError
+    """
+    with plainly(path, "a target as CSV"), path.open(encoding="utf-8") as file:
+        names = file.readline().strip().split(",")
+        rows = [line.rstrip("\r\n").split(",") for line in file]
+    if not rows:
+        raise InputError(f"{path}: this line holds no points; leave it out.")
+    for number, row in enumerate(rows, start=2):
+        if len(row) != len(names):
+            raise InputError(
+                f"{path}: row {number:,} has {len(row):,} columns, not {len(names):,} as the head "
+                "of the file; export it again."
+            )
+    with plainly(path, "a target as CSV"):
+        values = np.array([row[1:] for row in rows], dtype=float)
+    _, first, line = np.unique([row[0] for row in rows], return_index=True, return_inverse=True)
+    order = np.argsort(np.argsort(first))
+    extra = {"point_source_id": (order[line.reshape(-1)] + 1).astype(np.uint16)}
+    if len(names) > INTENSITY:
+        extra["intensity"] = values[:, INTENSITY - 1].copy()
+    xyz = np.ascontiguousarray(values[:, FIRST_LIDAR - 1 : FIRST_LIDAR + 2])
+    return PointChunk(xyz, values[:, 0].copy(), extra, len(rows))
+
+
+TARGETS = Format("Target (CSV)", "target", "points", (".csv",), PLACE, sniff, look, read)
