@@ -42,6 +42,7 @@ def samples(folder: Path) -> dict[str, Path]:
         "cidco-sigmas": cidco,
         "cidco": cidco,
         "planes": point_files.planes(folder / "planes.txt"),
+        "target": point_files.target(folder / "target.csv"),
         "las": point_files.las(folder / "a.las"),
         "e57": point_files.e57(folder / "a.e57"),
         "ply": point_files.cloud(folder / "a.ply"),

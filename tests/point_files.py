@@ -122,6 +122,16 @@ def planes(path: Path) -> Path:
     return path
 
 
+def target(path: Path) -> Path:
+    names = "line,time (s),north (m),west (m),up (m),x lidar (m),y lidar (m),z lidar (m),intensity"
+    rows = [names]
+    for k in range(COUNT):
+        values = (TIME[k], *(XYZ[k] + 100), *XYZ[k], RING[k])
+        rows.append(f"L{1 + k % 2}," + ",".join(f"{value:.9f}" for value in values))
+    path.write_text("\n".join(rows) + "\n")
+    return path
+
+
 def e57(
     path: Path,
     *,
@@ -253,5 +263,6 @@ VALID: dict[str, tuple[str, Callable[[Path], Path]]] = {
     "b.csv.gz": ("text", lambda path: text(path, head=CSV_HEAD)),
     "cidco": ("cidco", cidco),
     "plane.txt": ("planes", planes),
+    "target.csv": ("target", target),
 }
 """Name of the file: key of its format, and how to write it."""

@@ -66,7 +66,7 @@ def test_points_come_as_written(valid: tuple[Format, Path]) -> None:
     if name := next((name for name in ("ring", "rowIndex") if name in read.extra), ""):
         np.testing.assert_array_equal(read.extra[name], ring)
     else:
-        assert path.name in ("d.pcd", "cidco", "plane.txt")
+        assert path.name in ("d.pcd", "cidco", "plane.txt", "target.csv")
     assert read.total in (None, files.COUNT)
 
 

@@ -5926,6 +5926,29 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
 </context>
 <context>
+    <name>targets in CSV</name>
+    <message>
+        <source>target as CSV</source>
+        <translation>cible en CSV</translation>
+    </message>
+    <message>
+        <source>a target as CSV</source>
+        <translation>une cible en CSV</translation>
+    </message>
+    <message>
+        <source>LiDAR coordinates are taken; points and trajectory share one time base</source>
+        <translation>Les coordonnées du LiDAR sont prises ; points et trajectoire ont la même base de temps</translation>
+    </message>
+    <message>
+        <source>A target holds its points on all lines, not one line.</source>
+        <translation>Une cible contient ses points sur toutes les lignes, pas sur une seule.</translation>
+    </message>
+    <message>
+        <source>{path:file}: row {number:n} has {count:n} columns, not {all:n} as the head of the file; export it again.</source>
+        <translation>{path} : la rangée {number} a {count} colonnes, pas {all} comme l&apos;en-tête du fichier ; exportez-le de nouveau.</translation>
+    </message>
+</context>
+<context>
     <name>local frame</name>
 </context>
 <context>

@@ -2634,6 +2634,10 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>binaire du CIDCO (22 colonnes)</translation>
     </message>
     <message>
+        <source>Target (CSV)</source>
+        <translation>cible (CSV)</translation>
+    </message>
+    <message>
         <source>Plane file (25 columns)</source>
         <translation>fichier de plans (25 colonnes)</translation>
     </message>
