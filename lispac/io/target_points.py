@@ -1,6 +1,6 @@
 """Targets as CSV, as this program exports them, read as points of a line."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -31,8 +31,7 @@ INTENSITY = 8
 def sniff(head: bytes, path: Path) -> float:
     """The names of the columns as they are exported."""
     names = head.split(b"\n", 1)[0].decode("utf-8").strip().split(",")
-    lidar = tuple(names[FIRST_LIDAR : FIRST_LIDAR + 3])
-    return SURE if tuple(names[:2]) == LINE_AND_TIME and lidar == SCANNER_NAMES else NOT
+    return SURE if _are_names_of_target(names) else NOT
 
 
 def look(path: Path, choice: Choice) -> Finding:
@@ -74,6 +73,11 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)
 
 
+def _are_names_of_target(names: Sequence[str]) -> bool:
+    lidar = tuple(names[FIRST_LIDAR : FIRST_LIDAR + 3])
+    return tuple(names[:2]) == LINE_AND_TIME and lidar == SCANNER_NAMES
+
+
 def _read(path: Path) -> PointChunk:
     """The points in the LiDAR frame.
 
@@ -84,6 +88,11 @@ def _read(path: Path) -> PointChunk:
     with plainly(path, "a target as CSV"), path.open(encoding="utf-8") as file:
         names = file.readline().strip().split(",")
         rows = [line.rstrip("\r\n").split(",") for line in file]
+    if not _are_names_of_target(names):
+        raise InputError(
+            f"{path}: the first row does not name the columns of an exported target; export it "
+            "again."
+        )
     if not rows:
         raise InputError(f"{path}: this line holds no points; leave it out.")
     for number, row in enumerate(rows, start=2):

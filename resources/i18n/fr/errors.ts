@@ -5932,6 +5932,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>cible en CSV</translation>
     </message>
     <message>
+        <source>{path:file}: the first row does not name the columns of an exported target; export it again.</source>
+        <translation>{path} : la première rangée ne nomme pas les colonnes d&apos;une cible exportée ; exportez-la de nouveau.</translation>
+    </message>
+    <message>
         <source>a target as CSV</source>
         <translation>une cible en CSV</translation>
     </message>
