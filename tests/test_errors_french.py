@@ -67,7 +67,7 @@ NOT_SAID: dict[str, set[str]] = {
         "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
         "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
         "# Trajectory written by LISPAC.",
-        "# Time base: ",
+        " Time base: ",
         "# Time as in the source; latitude and longitude in degrees, height in metres above the "
         "ellipsoid;",
         "# roll positive starboard down, pitch positive bow up, heading clockwise from true north, "

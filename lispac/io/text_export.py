@@ -21,8 +21,8 @@ TRAJECTORY_HEADER = (
     "time latitude longitude height roll pitch heading",
 )
 """Above the numbers; the last line names the columns as `lispac.io.ascii_trajectory` knows them."""
-TIME_BASE = "# Time base: "
-"""Begins the line of the header that names the time base, where it is known."""
+TIME_BASE = " Time base: "
+"""Ends the first line with the key of the time base, where it is known."""
 TRAJECTORY_OPTIONS = {
     "columns": TRAJECTORY_HEADER[-1], "position": "degrees", "attitude": "degrees",
     "roll": "starboard-down", "pitch": "bow-up", "heading": "true",
@@ -42,11 +42,10 @@ def written_options(lines: Sequence[str]) -> dict[str, str]:
     lines : sequence of str
         The first of the file.
     """
-    if not lines or lines[0].strip() != TRAJECTORY_HEADER[0]:
+    if not lines or not lines[0].startswith(TRAJECTORY_HEADER[0]):
         return {}
-    bases = [line.strip().removeprefix(TIME_BASE) for line in lines if line.startswith(TIME_BASE)]
-    known = [base for base in bases if base in KEYS]
-    return TRAJECTORY_OPTIONS | ({"time": known[0]} if known else {})
+    base = lines[0].strip().rpartition(TIME_BASE)[2]
+    return TRAJECTORY_OPTIONS | ({"time": base} if base in KEYS else {})
 
 
 def write_table(
@@ -119,7 +118,7 @@ def write_trajectory_text(path: Path, trajectory: Trajectory, time_base: str = "
         ]
     )
     with path.open("w", encoding="utf-8", newline="\n") as file:
-        *remarks, names = TRAJECTORY_HEADER
-        base = [f"{TIME_BASE}{time_base}"] if time_base else []
-        file.write("\n".join([*remarks, *base, names]) + "\n")
+        first, *others = TRAJECTORY_HEADER
+        base = f"{TIME_BASE}{time_base}" if time_base else ""
+        file.write("\n".join([first + base, *others]) + "\n")
         np.savetxt(file, rows, fmt="%.9f %.11f %.11f %.5f %.9f %.9f %.9f")
