@@ -425,6 +425,8 @@ def test_titles_are_taken_apart(title: str, name: str, unit: str, direction: str
     [
         (["s", "deg", "deg W", "m"], True), (["[s]", "[°]", "", "[m]"], True),
         (["(sec)", "(ft)", "-", "(rad)"], True), (["time", "x", "y", "z"], False),
+        (["Time [s]", "X [m]", "Y [m]", "Z [m]"], False), (["US ft", "survey feet"], True),
+        (["time s", "x m", "y m", "z m"], False), (["GPS seconds", "m (ellipsoidal)"], True),
         (["E", "N", "h", "s"], False), (["", "", ""], False), (["1", "2", "3"], False),
     ],
 )  # fmt: skip

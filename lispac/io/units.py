@@ -177,11 +177,23 @@ def direction_of(title: str) -> str:
 
 def is_units_row(fields: Sequence[str]) -> bool:
     """Whether the fields of a row are units, as stands below the names of columns."""
+    if any(map(_has_name, fields)):
+        return False
     stated = [field.strip(" []()") for field in fields]
     known = [bool(_unit_before_direction(field)) for field in stated if field not in NO_UNIT]
     return len(known) >= 2 and all(known) and all(len(field) < 24 for field in stated)
 
 
+def _has_name(field: str) -> bool:
+    """Whether a field is the title of a column with its unit: ``Time [s]``, but not ``US ft``."""
+    name, unit = split_title(field)
+    return bool(unit) and not unit_of(name) and _PART_OF_UNIT.fullmatch(name.lower()) is None
+
+
+_PART_OF_UNIT = re.compile(
+    r"\W*|(u\.?s\.?|int\w*|arc|decimal|milli|micro|nano|survey|gps|utc|geodetic|ellipsoid\w*)\W*"
+)
+"""What stands before a unit in a row of units and is no name of a column."""
 NO_UNIT = ("", "-", "--", "none", "n/a", "1")
 
 
