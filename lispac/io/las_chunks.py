@@ -160,7 +160,8 @@ def look(path: Path, choice: Choice) -> Finding:
         ),
         _assumptions(header),
         (
-            *(() if choice.get("crs") else stated.messages),
+            # The system that applies is kept with a project, and the conflict with it.
+            *(stated.messages if choice.get("crs") in (None, "", stated.text) else ()),
             *require_sound_header(path).messages(path),
         ),
     )
