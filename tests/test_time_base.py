@@ -154,7 +154,7 @@ def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
 def test_ambiguity_is_stated() -> None:
     found = matches(times(50_400, 60), times(50_000, 3600))
     assert found[0].shift == 0
-    assert "18.000 s fits as well" in sentence(found)
+    assert "+18.000 s (UTC seconds of the day) fits as well" in sentence(found)
     tight = matches(times(50_400, 60), times(50_400, 60))
     assert "fits as well" not in sentence(tight)
 
@@ -180,8 +180,9 @@ def test_what_was_found_is_one_sentence() -> None:
     assert sentence((moved, *rivals, Match(((day, week),), 7.0, 0.9))) == (
         "Points in UTC seconds of the day fit the trajectory in GPS seconds of the week after "
         "adding 172,818.000 s, with 100 % of the points inside it (leap seconds of today, 18 s, "
-        "as neither file tells the date); by the times alone a further shift of +18.000 s or "
-        "-18.000 s or +4.000 s fits as well."
+        "as neither file tells the date); by the times alone a further shift of +18.000 s "
+        "(GPS seconds of the day) or -18.000 s (GPS seconds of the day) or +4.000 s (GPS seconds "
+        "of the day) fits as well: state the time base of the points (option time_base)."
     )
     assert sentence(()) == (
         "No known time base brings the points onto the trajectory; check that both are of the "

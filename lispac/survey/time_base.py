@@ -345,8 +345,12 @@ def sentence(found: tuple[Match, ...]) -> str:
         told += f" (leap seconds of today, {LEAP_SECONDS_NOW} s, as neither file tells the date)"
     rivals = rival_matches(found)
     if rivals:
-        others = " or ".join(f"{match.shift - best.shift:+,.3f} s" for match in rivals[:3])
+        others = " or ".join(
+            f"{match.shift - best.shift:+,.3f} s ({match.points.name})" for match in rivals[:3]
+        )
         told += f"; by the times alone a further shift of {others} fits as well"
+        if len({match.points.key for match in (best, *rivals)}) > 1:
+            told += ": state the time base of the points (option time_base)"
     return told + "."
 
 
