@@ -6,9 +6,12 @@ from pathlib import Path
 import laspy
 import numpy as np
 
+from lispac.io.sbet import write_sbet
+from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting, place
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
+from tests.point_files import cloud as open3d_cloud
 
 MOUNTING = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.4, -1.9, 0.4]), 0.02, 0.001, 0.003)
 QUEBEC, SYDNEY, GREENWICH = (46.8, -71.2), (-33.9, 151.2), (51.48, 0.0)
@@ -102,3 +105,43 @@ def one_by_one(
     """The reference: formula by formula, PROJ for every point."""
     local = place(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
     return system.from_geodetic(*trajectory.frame.to_geodetic(local))
+
+
+LINE_POINTS = 3000
+"""Of the first line of `two_lines`."""
+
+
+def states() -> Trajectory:
+    """The states of `track` as a file has them."""
+    local = track()
+    latitude, longitude, height = local.frame.to_geodetic(local.position)
+    return Trajectory(local.time, latitude, longitude, height, local.attitude)
+
+
+def two_lines(folder: Path) -> Project:
+    """Two lines in the scanner frame: LAS with a time shift, PLY."""
+    write_sbet(folder / "sbet.out", states())
+    points, time = sweep(track(), LINE_POINTS)
+    raw = written_las(folder / "raw.laz", 6, points, time - 18.0)
+    raw.withheld[:] = 0
+    raw.write(folder / "raw.laz")
+    open3d_cloud(folder / "other.ply")
+    shifted = Reading("las", (), 18.0)
+    return Project(
+        folder / "project", folder / "sbet.out",
+        (
+            LineSource("L1", folder / "raw.laz", (), shifted),
+            LineSource("L2", folder / "other.ply", (), Reading("ply", (("time_field", "time"),))),
+        ),
+        settings_of(MOUNTING),
+    )  # fmt: skip
+
+
+def settings_of(mounting: Mounting) -> Settings:
+    """Settings of a project whose prior is this mounting."""
+    return Settings(
+        tuple(mounting.lever_arm), tuple(np.degrees(mounting.boresight)), None,
+        range_offset=mounting.range_offset,
+        scan_angle_offset_deg=float(np.degrees(mounting.scan_angle_offset)),
+        latency=mounting.latency,
+    )  # fmt: skip

@@ -13,6 +13,7 @@ from lispac.adjustment.observations import Observations, Sighting
 from lispac.errors import InputError, ProjectError
 from lispac.geometry.planes import fit_plane
 from lispac.io.files import written_whole
+from lispac.io.formats import format_of
 from lispac.io.las_export import cloud_file, pattern_of_columns
 from lispac.io.plane_file import write_plane_file
 from lispac.io.registry import PointChunk
@@ -30,7 +31,8 @@ from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
 from lispac.survey.mapping import PointMapper
 from lispac.workflow.georeferencing import Which, require_other_files
-from lispac.workflow.reading import read_trajectory
+from lispac.workflow.reading import USUAL, read_trajectory
+from lispac.workflow.stated_times import known_base
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -186,6 +188,17 @@ def trajectory_datum_words(project: Project) -> str:
 
 EPOCH_WORDS = "coordinates at the epoch of the trajectory, not moved to another one"
 """What a cloud takes for granted where no epoch was given."""
+
+
+def _trajectory_base(project: Project) -> str:
+    """Key of what the times of the trajectory count; empty where that is not known."""
+    reading = project.trajectory_reading
+    format = format_of(reading.format or USUAL["trajectory"])
+    try:
+        found = known_base(format, project.trajectory, dict(reading.options), "time", stated=False)
+    except InputError:  # its file is gone, which the loaded survey does not need
+        return ""
+    return "" if found.base is None else found.base.key
 
 
 def _targets(project: Project, names: Sequence[str]) -> list[Target]:

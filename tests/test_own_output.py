@@ -1,0 +1,150 @@
+"""Targets, plane files and trajectories that the program exports are read back as they are."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.errors import InputError
+from lispac.io.sbet import write_sbet
+from lispac.io.text_export import write_trajectory_text
+from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.trajectory import Trajectory
+from lispac.workflow.export_request import system_of
+from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.line_points import read_chunks
+from lispac.workflow.projects import new_project
+from lispac.workflow.reading import looks, read_trajectory, usual_or_settled
+from lispac.workflow.survey import Survey
+from tests.cloud_files import states, track, two_lines
+
+UTM = "EPSG:32619"
+UNKNOWN = Settings((0.0, 0.0, 0.0))
+"""Of a user who knows neither boresight nor lever arm."""
+
+
+def read_back(
+    project: Project, path: Path, folder: Path, settings: Settings = UNKNOWN,
+    reading: Reading | None = None,
+) -> tuple[Project, Survey]:  # fmt: skip
+    """A new project with a written cloud as its only line, with no more said of it."""
+    return new_project(
+        folder, trajectory=project.trajectory, trajectory_reading=project.trajectory_reading,
+        lines=[LineSource("again", path, (), reading or Reading())], settings=settings,
+    )  # fmt: skip
+
+
+def require_same_points(survey: Survey, points: np.ndarray, time: np.ndarray) -> None:
+    """Points and times of a line that is read back are those of the scanner, in any order."""
+    scan = survey.scans["again"]
+    found, times = scan.take(np.arange(len(scan)))
+    own, order = np.argsort(times, kind="stable"), np.argsort(time, kind="stable")
+    np.testing.assert_allclose(times[own], time[order], rtol=0, atol=1e-9)
+    assert np.linalg.norm(found[own] - points[order], axis=1).max() < 1e-3
+
+
+@pytest.mark.parametrize("ending", ["laz", "las"])
+@pytest.mark.parametrize("system", ["local", UTM])
+def test_targets_come_back(
+    calibrated: tuple[Project, Survey], tmp_path: Path, ending: Any, system: str
+) -> None:
+    """As a line: the points of all sightings, with the line they are from."""
+    project, survey = calibrated
+    from lispac.workflow.export_request import system_of
+
+    (path,) = export_targets(
+        project, survey, tmp_path / "out", "estimated", ending=ending, names=["T1"],
+        system=system_of(project, survey.trajectory, system),
+    )  # fmt: skip
+    parts = [survey.scans[s.line].take(s.indices) for s in project.target("T1").used_sightings]
+    points, time = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
+    _, found = read_back(project, path, tmp_path / "new")
+    require_same_points(found, points, time)
+    las = laspy.read(path)
+    sizes = np.bincount(las.point_source_id, minlength=len(survey.lines) + 1)[1:]
+    own = {s.line: len(s.indices) for s in project.target("T1").used_sightings}
+    assert sizes.tolist() == [own.get(line, 0) for line in survey.lines]
+
+
+@pytest.mark.parametrize("system", ["local", UTM, "EPSG:4979", "EPSG:4978"])
+def test_targets_come_back_from_csv(
+    calibrated: tuple[Project, Survey], tmp_path: Path, system: str
+) -> None:
+    """By the scanner's coordinates in them, whatever system the others are in."""
+    project, survey = calibrated
+    (path,) = export_targets(
+        project, survey, tmp_path / "out", "estimated", ending="csv", names=["T1"],
+        system=system_of(project, survey.trajectory, system),
+    )  # fmt: skip
+    sightings = project.target("T1").used_sightings
+    parts = [survey.scans[s.line].take(s.indices) for s in sightings]
+    (look, *_) = looks(path)
+    assert (look.format.key, look.sureness) == ("target", 1.0)
+    _, found = read_back(project, path, tmp_path / "new")
+    require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
+    (chunk,) = read_chunks(look.format.read(path, {}))
+    sizes = np.bincount(chunk.extra["point_source_id"])[1:]
+    assert sizes.tolist() == [len(s.indices) for s in sightings]
+    intensities = [survey.scans[s.line].intensities(s.indices) for s in sightings]
+    np.testing.assert_allclose(chunk.extra["intensity"], np.concatenate(intensities), rtol=1e-5)
+
+
+def test_a_target_that_is_cut_is_refused_with_its_row(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project, survey = calibrated
+    (path,) = export_targets(project, survey, tmp_path, "estimated", ending="csv", names=["T1"])
+    rows = path.read_text().splitlines()[:10]
+    path.write_text("\n".join([*rows[:-1], rows[-1][:20]]))
+    with pytest.raises(InputError, match="row 10 has"):
+        looks(path)[0].format.look(path, {})
+
+
+@pytest.mark.parametrize("which", ["prior", "estimated"])
+def test_plane_files_come_back_as_a_line(
+    calibrated: tuple[Project, Survey], tmp_path: Path, which: Any
+) -> None:
+    project, survey = calibrated
+    (path,) = export_planes(project, survey, tmp_path / "out", which, names=["T1"])
+    (look, *_) = looks(path)
+    assert (look.format.key, look.sureness) == ("planes", 1.0)
+    parts = [survey.scans[s.line].take(s.indices) for s in project.target("T1").used_sightings]
+    _, found = read_back(project, path, tmp_path / "new")
+    require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
+
+
+@pytest.mark.parametrize("form", ["sbet", "text"])
+@pytest.mark.parametrize("place_deg", [(46.8, -71.2), (0.02, 0.03), (-33.9, 179.999)])
+def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[float, float]) -> None:
+    """Near the equator and the prime meridian degrees look like radians."""
+    local = track(place_deg)
+    latitude, longitude, height = local.frame.to_geodetic(local.position)
+    known = Trajectory(local.time, latitude, longitude, height, local.attitude)
+    write_sbet(tmp_path / "sbet.out", known)
+    project = replace(two_lines(tmp_path), trajectory=tmp_path / "sbet.out")
+    write_sbet(tmp_path / "sbet.out", known)
+    path = export_trajectory(project, tmp_path / f"trajectory.{form}", form)
+    (look, *_) = looks(path)
+    assert (look.format.kind, look.sureness) == ("trajectory", 1.0)
+    assert look.finding is not None
+    assert look.finding.choice["time"] == "gps-week"
+    if form == "text":
+        assert not any("sign of" in doubt for doubt in look.finding.doubts)
+    reading, _ = usual_or_settled(path, "trajectory", Reading())
+    found = read_trajectory(path, reading)
+    np.testing.assert_allclose(found.time, known.time, rtol=0, atol=1e-8)
+    for name, limit in (("latitude", 1e-12), ("longitude", 1e-12), ("height", 1e-5)):
+        apart = getattr(found, name) - getattr(known, name)
+        apart = (apart + np.pi) % (2 * np.pi) - np.pi if name == "longitude" else apart
+        assert np.abs(apart).max() < limit
+    turned = (found.attitude - known.attitude + np.pi) % (2 * np.pi) - np.pi
+    assert np.abs(turned).max() < 1e-10
+
+
+def test_a_text_trajectory_names_its_time_base(tmp_path: Path) -> None:
+    write_trajectory_text(tmp_path / "t.txt", states(), "utc-day")
+    reading, _ = usual_or_settled(tmp_path / "t.txt", "trajectory", Reading())
+    assert dict(reading.options)["time"] == "utc-day"
