@@ -55,6 +55,11 @@ def survey(kind: str, seed: int) -> tuple[Observations, Place]:
         shift *= 0.15 / np.linalg.norm(shift)
         position = data.position + on_line[:, None] * shift
         data, place = replace(data, position=position), (kind, "", line)
+    elif kind == "line_time":
+        late = 0.1 * on_line[:, None] * data.pose_rate
+        data = replace(data, position=data.position + late[:, :3],
+                       attitude=data.attitude + late[:, 3:])  # fmt: skip
+        place = (kind, "", line)
     elif kind == "sighting_shift":
         k = chance.integers(len(data.sightings))
         beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
@@ -87,7 +92,9 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
 
 
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("kind", ["line_boresight", "line_position", "sighting_shift"])
+@pytest.mark.parametrize(
+    "kind", ["line_boresight", "line_position", "line_time", "sighting_shift"]
+)
 def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)
@@ -131,7 +138,9 @@ def _false_alarms(seeds: range, rough: float) -> int:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("kind", [*WRONG, "line_boresight", "line_position", "sighting_shift"])
+@pytest.mark.parametrize(
+    "kind", [*WRONG, "line_boresight", "line_position", "line_time", "sighting_shift"]
+)
 def test_the_right_cause_is_named_in_nearly_every_survey(kind: str) -> None:
     """Of 20 surveys: named first or listed; another cause alone in at most one."""
     counts: Counter[str] = Counter()

@@ -1,7 +1,7 @@
 """Comparison of the errors that may be behind residuals that contradict the model.
 
 Each candidate is an error of one kind in one place: a component of the lever arm, the latency, the
-position on one line, another boresight on one line, one sighting. It adds unknowns to the
+position, the boresight or the times on one line, one sighting. It adds unknowns to the
 adjustment, with a normal prior whose standard deviation is the size that such errors have. The
 evidence for it is twice the logarithm of its Bayes factor against a model without any error (Kass
 and Raftery 1995), with the sigma of the surfaces at its most likely value for each candidate: a
@@ -31,7 +31,7 @@ Indices = NDArray[np.int64]
 PRIOR_SIGMA = {
     "lever_x": 0.1, "lever_y": 0.1, "lever_z": 0.1, "range_offset": 0.1,
     "scan_angle_offset": float(np.radians(0.5)), "latency": 0.02, "line_position": 0.2,
-    "line_boresight": float(np.radians(1.0)), "sighting_shift": 0.2, "sighting_surface": 0.2,
+    "line_boresight": float(np.radians(1.0)), "line_time": 0.2, "sighting_shift": 0.2, "sighting_surface": 0.2,
 }  # fmt: skip
 """Metres, radians or seconds: size that an error of each kind has where it occurs. The evidence
 depends on its logarithm alone."""
@@ -47,6 +47,8 @@ MOST_NAMED = 4
 SMALLEST_SURFACE, STEPS = 1e-4, 13
 """Metres, and number of sigmas of the surfaces that are tried from there to `LARGEST_SURFACE`."""
 AXES = 3
+OF_LINE = 2 * AXES
+"""Unknowns of the position and of the boresight of a line."""
 
 
 def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...], ...]:
@@ -330,40 +332,47 @@ def _candidates(problem: Problem, omitted: Sequence[str]) -> Iterator[_Candidate
         if not spheres[s]:
             yield _Candidate("sighting_surface", *where, own, 1 / count)
     first, count = first + AXES * count, len(observations.lines)
+    has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
-        own = first + 2 * AXES * k + np.arange(2 * AXES)
+        own = first + (OF_LINE + has_times) * k + np.arange(OF_LINE + has_times)
         yield _Candidate("line_position", "", line, own[:AXES], 1 / count)
-        yield _Candidate("line_boresight", "", line, own[AXES:], 1 / count)
+        yield _Candidate("line_boresight", "", line, own[AXES:OF_LINE], 1 / count)
+        if has_times:
+            yield _Candidate("line_time", "", line, own[OF_LINE:], 1 / count)
 
 
 def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
-    """Normal equations with position and boresight of each line added.
+    """Normal equations with position, boresight and, where it shows, latency of each line added.
 
     Returns
     -------
-    matrix, right : ndarray of shape (u + 6 lines, u + 6 lines) and (u + 6 lines,)
-    mixed : ndarray of shape (u + 6 lines, 6 knots)
+    matrix, right : ndarray of shape (u + k lines, u + k lines) and (u + k lines,)
+        With k of 6 or 7.
+    mixed : ndarray of shape (u + k lines, 6 knots)
         What they share with the POS error.
     """
     problem, normal, sums = linearised.problem, linearised.normal, linearised.sums
     observations, groups, layout = problem.observations, problem.groups, normal.layout
     own, lines = len(layout.active) + 4, observations.lines
     of_sighting = np.array([lines.index(each.line) for each in observations.sightings])
-    size = np.zeros((sums.shape[1], 2 * AXES))
+    latency = np.flatnonzero(layout.active == Parameter("latency").index)
+    unknowns = OF_LINE + len(latency)
+    size = np.zeros((sums.shape[1], unknowns))
+    size[latency, OF_LINE:] = 1.0
     # The POS position at the knot before and at the one after, both at once
     size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
-    size[:AXES, AXES:] = np.eye(AXES)
+    size[:AXES, AXES:OF_LINE] = np.eye(AXES)
     products = np.einsum("wc,gwv->gcv", size, sums)
     basis = columns_basis(layout, observations.target_of_sighting, linearised.bases)
-    added = layout.size + 2 * AXES * len(lines)
+    added = layout.size + unknowns * len(lines)
     matrix, right = np.zeros((added + 1, added + 1)), np.zeros(added)
     mixed = np.zeros((added, linearised.state.effects.size))
     matrix[: layout.size, : layout.size], right[: layout.size] = normal.matrix, normal.right
     mixed[: layout.size] = normal.mixed
     index = np.where(layout.index == layout.size, added, layout.index)
     for g, (sighting, knot) in enumerate(zip(groups.sighting, groups.knot, strict=True)):
-        first = layout.size + 2 * AXES * of_sighting[sighting]
-        place = slice(first, first + 2 * AXES)
+        first = layout.size + unknowns * of_sighting[sighting]
+        place = slice(first, first + unknowns)
         crossed = products[g, :, :own] @ basis[sighting]
         matrix[place, index[sighting]] += crossed
         matrix[index[sighting], place] += crossed.T

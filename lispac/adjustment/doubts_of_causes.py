@@ -18,6 +18,7 @@ from lispac.causes import Cause
 KNOWN_FROM_DATA = {
     "audit.several_scanners": "points of several scanners in one line",
     "audit.several_sources": "points of several sources in one line",
+    "audit.same_time": "lines with points of the same time",
     "audit.time_resolution": "coarse point times",
     "recovery.height_offset": "an offset of the heights",
     "recovery.time_offset": "an offset of the point times",
@@ -132,6 +133,14 @@ def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Doubt]:
             "the trajectory there, or exclude the line.",
             Cause.of_line(cause.line),
         )
+    elif cause.kind == "line_time":
+        yield Doubt(
+            "line_time",
+            _many_lines(result, 1),
+            f"The point times of line {cause.line} are {_off(cause)}. Check the time base and the "
+            "time shift of the line, or exclude it.",
+            Cause.of_line(cause.line),
+        )
     elif not _named_already(result, cause):
         yield Doubt(
             "sighting_disagrees",
@@ -233,6 +242,8 @@ def _phrase(cause: CandidateCause) -> str:
         return f"another boresight of line {cause.line}"
     if cause.kind == "line_position":
         return f"position on line {cause.line} off by {mm(_length(cause))}\u00a0mm"
+    if cause.kind == "line_time":
+        return f"point times of line {cause.line} {_off(cause)}"
     if cause.kind == "sighting_surface":
         return f"another surface under {cause.target} on line {cause.line}"
     return f"target {cause.target} off by {mm(_length(cause))}\u00a0mm on line {cause.line}"
@@ -241,6 +252,12 @@ def _phrase(cause: CandidateCause) -> str:
 def _larger(cause: CandidateCause) -> str:
     size = float(cause.size[0])
     return f"{amount(cause.kind, abs(size))} {'larger' if size > 0 else 'smaller'}"
+
+
+def _off(cause: CandidateCause) -> str:
+    """How point times are off: they are late where the latency would have to be smaller."""
+    size = float(cause.size[0])
+    return f"{amount('latency', abs(size))} {'early' if size > 0 else 'late'}"
 
 
 def _length(cause: CandidateCause) -> float:

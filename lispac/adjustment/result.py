@@ -213,7 +213,7 @@ class CandidateCause:
     ----------
     kind : str
         A value of the mounting other than its angles (`SWITCHED`), ``line_position``,
-        ``line_boresight``, ``sighting_shift`` or ``sighting_surface``.
+        ``line_boresight``, ``line_time``, ``sighting_shift`` or ``sighting_surface``.
     target, line : str
         Where it is; empty where it is everywhere.
     size, sigma : ndarray of shape (k,), radians, metres or seconds

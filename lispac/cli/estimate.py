@@ -281,7 +281,9 @@ def _contradiction(found: Contradiction) -> dict[str, Any]:
 
 def _cause(cause: CandidateCause) -> dict[str, Any]:
     factor, unit = STATED.get(cause.kind, (1.0, "m"))
-    if cause.kind == "line_boresight":
+    if cause.kind == "line_time":
+        factor, unit = STATED["latency"]
+    elif cause.kind == "line_boresight":
         factor, unit = float(np.degrees(1.0)), "deg"
     return {
         "kind": cause.kind,

@@ -2201,6 +2201,14 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>La ligne {line} demande d&apos;autres angles de visée que les autres lignes (roulis {roll}°, tangage {pitch}° et lacet {yaw}°) : elle peut provenir d&apos;un second scanner, ou le montage a bougé. Calibrez-la séparément ou excluez-la.</translation>
     </message>
     <message>
+        <source>The point times of line {line} are {n:n} ms late. Check the time base and the time shift of the line, or exclude it.</source>
+        <translation>Les temps des points de la ligne {line} sont en retard de {n} ms. Vérifiez la base de temps et le décalage de la ligne, ou excluez-la.</translation>
+    </message>
+    <message>
+        <source>The point times of line {line} are {n:n} ms early. Check the time base and the time shift of the line, or exclude it.</source>
+        <translation>Les temps des points de la ligne {line} sont en avance de {n} ms. Vérifiez la base de temps et le décalage de la ligne, ou excluez-la.</translation>
+    </message>
+    <message>
         <source>The position on line {line} is off by {n:n} mm. Look at the trajectory there, or exclude the line.</source>
         <translation>La position sur la ligne {line} est décalée de {n} mm. Examinez-y la trajectoire ou excluez la ligne.</translation>
     </message>
@@ -2257,6 +2265,14 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>autres angles de visée de la ligne {line}</translation>
     </message>
     <message>
+        <source>point times of line {line:name} {n:n} ms early</source>
+        <translation>temps des points de la ligne {line} en avance de {n} ms</translation>
+    </message>
+    <message>
+        <source>point times of line {line:name} {n:n} ms late</source>
+        <translation>temps des points de la ligne {line} en retard de {n} ms</translation>
+    </message>
+    <message>
         <source>position on line {line} off by {n:n} mm</source>
         <translation>position sur la ligne {line} décalée de {n} mm</translation>
     </message>
@@ -2275,6 +2291,10 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <message>
         <source>points of several sources in one line</source>
         <translation>points de plusieurs sources dans une même ligne</translation>
+    </message>
+    <message>
+        <source>lines with points of the same time</source>
+        <translation>des lignes ayant des points du même temps</translation>
     </message>
     <message>
         <source>coarse point times</source>
