@@ -152,6 +152,11 @@ TEXTS: Mapping[str, str] = {
         "{line} and {other} have points in common ({share:percent.1} % of the smaller line). "
         "Points that count twice make the standard deviations too small. Exclude {smaller}."
     ),
+    "audit.same_time": (
+        "{line} and {other} hold points of the same {seconds:n.0} s. Of one scanner, one of them "
+        "is a copy and makes the standard deviations too small; of two scanners, each has a "
+        "boresight of its own. Exclude one of them."
+    ),
     "text.unit_overridden": (
         "{file}: the columns {stated:names} state a unit, but {option} is set to {given}. The "
         "values are read in the unit that is set, and all results depend on it. Check the option."

@@ -242,7 +242,8 @@ COMPOSED = [
     "neither tells the date; +19.000 s would fit as well: make sure of the day.",
     "Points in GPS seconds of the day fit the trajectory in GPS seconds of the week after adding "
     "432,000.000 s, with 100 % of the points inside it; by the times alone a further shift of "
-    "+18.000 s or +86,400.000 s fits as well.",
+    "+18.000 s (UTC seconds of the day) or +86,400.000 s (GPS seconds of the day) fits as well: "
+    "state the time base of the points (option time_base).",
     "Line 2 (L3) was not sailed: with it the sigma of yaw would be 0.0100 instead of 0.0200 deg.",
     "quay differs from those before it (roll by +0.1000 deg, 3.2 of its sigmas): the mounting has "
     "moved, or one of the calibrations is wrong. A new series begins.",

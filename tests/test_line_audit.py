@@ -187,6 +187,29 @@ def test_lines_with_points_in_common_are_named(folder: Path) -> None:
     assert copy.exists()
 
 
+@pytest.mark.parametrize("name", ["copy.laz", "copy.csv", "copy.ply"])
+def test_lines_of_the_same_time_are_named(folder: Path, name: str) -> None:
+    """A copy with rounded coordinates, or another scanner; the next line is neither."""
+    points = fan(COUNT)
+    one = las(folder / "one.laz", TIMES, points)
+    copy = WRITERS[f"L1{Path(name).suffix}"](
+        folder / name, TIMES[1000:] + 1e-6, np.round(points[1000:], 2)
+    )
+    after = las(folder / "after.laz", TIMES + 10.001, points)
+    survey = opened(folder, one, copy, after)
+    found = [each for each in survey.messages if each.code == "audit.same_time"]
+    assert [(each.params["line"], each.params["other"]) for each in found] == [("copy", "one")]
+    assert found[0].params["seconds"] == pytest.approx(TIMES[-1] - TIMES[1000], abs=2)
+    assert found[0].level is Level.WARNING
+    assert stored_survey(folder).messages == survey.messages
+
+
+def test_a_file_that_is_split_by_its_scanners_has_lines_of_the_same_time(folder: Path) -> None:
+    values = (np.arange(COUNT) % 2).astype(np.uint8)
+    path = las(folder / "L1.laz", TIMES, fan(COUNT), point_source_id=values)
+    assert "audit.same_time" in by_code(split(folder, path, "point_source_id"))
+
+
 def test_the_share_of_common_points_is_estimated_well() -> None:
     rng = np.random.default_rng(3)
     points = rng.normal(size=(300_000, 3))

@@ -24,6 +24,10 @@ MOST_SCANNERS = 8
 """Values of an attribute up to which it is taken to number scanners or passes."""
 SHARED = 0.01
 """Share of its points from which a line repeats another one."""
+SIMULTANEOUS = 0.05
+"""Share of the time of the shorter line from which two lines are of the same time."""
+WHOLE_SECONDS = 2.0
+"""Seconds by which spans to whole seconds may overlap where the lines do not."""
 NEAR_RESTART = 1.5
 """Seconds from a restart of the times within which a line runs through it."""
 LONG_PAUSE = 60.0
@@ -85,6 +89,55 @@ def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
                 )
             )
     return tuple(found)
+
+
+def simultaneous_messages(
+    audits: Mapping[str, LineAudit], first_times: Mapping[str, float]
+) -> tuple[Message, ...]:
+    """Messages about lines with points of the same time: one is a copy, or of another scanner.
+
+    Lines that share points exactly are left to `shared_messages`.
+
+    Parameters
+    ----------
+    audits : mapping of str to LineAudit
+        By name of the line.
+    first_times : mapping of str to float, seconds
+        The earliest time of each line in the trajectory's time base.
+    """
+    spans = {
+        name: _shifted(_without_restart(audit.spans), first_times[name])
+        for name, audit in audits.items()
+        if audit.spans
+    }
+    found = []
+    for (one, own), (other, others) in combinations(spans.items(), 2):
+        common = sum(
+            max(0.0, min(end, last) - max(start, first) - WHOLE_SECONDS)
+            for start, end in own
+            for first, last in others
+        )
+        shorter = min(sum(end - start for start, end in each) for each in (own, others))
+        if common < SIMULTANEOUS * shorter or common == 0:
+            continue
+        if shared_fraction(audits[one], audits[other]) < SHARED:
+            params: dict[str, Value] = {"line": other, "other": one, "seconds": common}
+            found.append(
+                Message(
+                    "audit.same_time",
+                    Level.WARNING,
+                    params,
+                    Cause.of_line(other),
+                    (Action("exclude_line", {"line": other}),),
+                )
+            )
+    return tuple(found)
+
+
+def _shifted(spans: Sequence[tuple[float, float]], first_time: float) -> list[tuple[float, float]]:
+    """Spans of a file in the trajectory's time base, by the earliest time of the line."""
+    shift = np.floor(first_time) - spans[0][0]
+    return [(start + shift, end + shift) for start, end in spans]
 
 
 def _time_resolution(

@@ -12,7 +12,9 @@ from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
-from lispac.errors import AdjustmentError, RankDeficient
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient
+from lispac.message_texts import message_text
+from lispac.messages import Level
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting, place
@@ -25,6 +27,9 @@ Array = NDArray[np.float64]
 
 RESELECTIONS = 3
 """Each selection leaves about a third of the error that the smear of the one before it caused."""
+
+MOST_WARNINGS = 3
+"""Warnings about the data named where an adjustment has no answer."""
 
 SELECTION_SPACING = 0.1
 """Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
@@ -204,13 +209,22 @@ def estimate(
         project = project.with_settings(settings)
     project = project.with_data_messages(survey.messages)
     started = perf_counter()
-    selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
-    solved = solve(
-        project, selected, survey, cross_check=cross_check, progress=part(progress, 0.7, 1.0)
-    )
+    try:
+        selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
+        solved = solve(
+            project, selected, survey, cross_check=cross_check, progress=part(progress, 0.7, 1.0)
+        )
+    except (NotConverged, RankDeficient) as error:
+        raise type(error)(" ".join([str(error), *_data_warnings(project)])) from None
     assert solved.result is not None
     result = replace(solved.result, elapsed=perf_counter() - started)
     return replace(solved, result=result)
+
+
+def _data_warnings(project: Project) -> list[str]:
+    """What is wrong with the data of an adjustment that has no answer, in sentences."""
+    warnings = [each for each in project.data_messages if each.level is Level.WARNING]
+    return [message_text(each) for each in warnings[:MOST_WARNINGS]]
 
 
 def select(

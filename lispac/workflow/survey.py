@@ -18,7 +18,7 @@ from lispac.io.values import decoded
 from lispac.messages import Level, Message
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
-from lispac.survey.audit_messages import line_messages, shared_messages
+from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.line_audit import LineAudit
@@ -166,6 +166,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
     messages += shared_messages(audits)
+    first_times = {name: scan.first_time for name, scan in scans.items()}
+    messages += simultaneous_messages(audits, first_times)
     spans = {name: (scan.first_time, scan.last_time) for name, scan in scans.items()}
     messages += interpolation_messages(trajectory, accuracy, spans)
     progress(1.0, "Survey loaded")

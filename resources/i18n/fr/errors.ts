@@ -3220,6 +3220,14 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{share} % des points à l&apos;intérieur</translation>
     </message>
     <message>
+        <source>{share:n} % of the points inside it; by the times alone a further shift of {others:either} fits as well: state the time base of the points (option time_base)</source>
+        <translation>{share} % des points à l&apos;intérieur ; d&apos;après les seuls temps, un décalage supplémentaire de {others} convient aussi bien : indiquez la base de temps des points (option time_base)</translation>
+    </message>
+    <message>
+        <source>{share:n} % of the points inside it (leap seconds of today, {n:n} s, as neither file tells the date); by the times alone a further shift of {others:either} fits as well: state the time base of the points (option time_base)</source>
+        <translation>{share} % des points à l&apos;intérieur (secondes intercalaires d&apos;aujourd&apos;hui, {n} s, aucun des fichiers ne disant la date) ; d&apos;après les seuls temps, un décalage supplémentaire de {others} convient aussi bien : indiquez la base de temps des points (option time_base)</translation>
+    </message>
+    <message>
         <source>Point times fit the trajectory as they are, with {share}</source>
         <translation>Les temps des points conviennent à la trajectoire tels quels, avec {share}</translation>
     </message>
@@ -5530,6 +5538,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{line:kept}: the file holds {count:n} passes, separated by pauses in which the vessel turned. They count as one line and are not compared with each other. Split the line.</source>
         <translation>{line} : le fichier contient {count} passages, séparés par des pauses pendant lesquelles le navire a tourné. Ils comptent pour une ligne et ne sont pas comparés entre eux. Divisez la ligne.</translation>
+    </message>
+    <message>
+        <source>{line:kept} and {other:kept} hold points of the same {seconds:n} s. Of one scanner, one of them is a copy and makes the standard deviations too small; of two scanners, each has a boresight of its own. Exclude one of them.</source>
+        <translation>{line} et {other} ont des points des mêmes {seconds} s. D&apos;un même scanner, l&apos;une est une copie et rend les écarts-types trop petits ; de deux scanners, chacun a ses propres angles de visée. Excluez l&apos;une des deux.</translation>
     </message>
     <message>
         <source>{line:kept} and {other:kept} have points in common ({share:n} % of the smaller line). Points that count twice make the standard deviations too small. Exclude {smaller:kept}.</source>
