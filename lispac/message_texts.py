@@ -33,7 +33,8 @@ TEXTS: Mapping[str, str] = {
         "They are excluded."
     ),
     "audit.no_range": (
-        "{line}: {count:n} points ({share:percent.2} %) have no range: shots without an echo. "
+        "{line}: {count:n} points ({share:percent.2} %) have no range or one value for x, y and z: "
+        "shots without an echo. "
         "They are excluded."
     ),
     "audit.too_far": (
@@ -84,7 +85,7 @@ TEXTS: Mapping[str, str] = {
     ),
     # -- recovery of georeferenced lines -----------------------------------------------------
     "recovery.height_offset": (
-        "{line}: the heights are {offset:m.1} m above those of the trajectory, as with heights "
+        "{line}: the heights less those of the trajectory are {offset:m.1} m, as with heights "
         "above sea level and an ellipsoidal trajectory. The recovered points do not lie on the "
         "beams of the scanner (off by {misfit:mm} mm), and the angles will be wrong. Give the "
         "height system, or {value:m.1} m to be added."

@@ -92,9 +92,7 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
 
 
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize(
-    "kind", ["line_boresight", "line_position", "line_time", "sighting_shift"]
-)
+@pytest.mark.parametrize("kind", ["line_boresight", "line_position", "line_time", "sighting_shift"])
 def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
     data, place = survey(kind, seed)
     result = adjust(data, PRIOR, MODEL)

@@ -81,3 +81,21 @@ def test_a_file_that_is_cut_short_is_known_and_the_reason_told(
     assert code == 0
     assert "certainly LAS or LAZ (--line-format las)" in out
     assert "\n  cannot be read: " in out
+
+
+def test_a_trajectory_is_not_also_refused_as_points(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """North and south as letters are no numbers of points; rows before the first fix are zeros."""
+    path = tmp_path / "track.txt"
+    rows = [
+        f"{t:.1f},0.0,0.0,0.0,0.1,0.1,0.1" if t < 2 else
+        f"{t:.1f},{46.8 + t * 1e-5:.9f}N,{71.2:.9f}W,12.0,0.1,0.1,0.1"
+        for t in (k / 10 for k in range(400))
+    ]  # fmt: skip
+    path.write_text("\n".join(["Time,Latitude,Longitude,Height,Roll,Pitch,Heading", *rows]))
+    code, out, _ = run(capsys, "look", path)
+    assert code == 0
+    assert "(--trajectory-format " in out
+    assert "cannot be read" not in out
+    assert "jump" not in out

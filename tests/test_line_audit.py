@@ -17,6 +17,7 @@ from lispac.workflow.file_audit import file_audit
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.projects import new_project, open_project
+from lispac.workflow.reading import looks
 from lispac.workflow.survey import Survey, load_survey
 from tests.intake_files import LEVER, START, fan, write_line, write_survey
 
@@ -246,6 +247,25 @@ def test_points_without_range_not_numbers_and_absurd_ones_are_excluded(
         assert found[f"audit.{code}"].params["count"] == count
         assert found[f"audit.{code}"].level is Level.NOTE
     assert len(survey.scans["L1"]) == COUNT - sum(expected.values())
+
+
+@every_format
+@pytest.mark.parametrize("value", [-9999.0, -999.0, 655.35])
+def test_one_value_in_place_of_coordinates_is_no_point(
+    folder: Path, name: str, value: float
+) -> None:
+    """Seven in a hundred: more than a few absurd points, and no map."""
+    points = fan(COUNT)
+    points[::14] = value
+    path = WRITERS[name](folder / name, TIMES, points)
+    (look, *_) = looks(path)
+    assert look.finding is not None
+    assert look.finding.choice["frame"] == "scanner"
+    assert not look.finding.doubts
+    survey = opened(folder, path)
+    found = by_code(survey)
+    assert set(found) == {"audit.no_range"}
+    assert found["audit.no_range"].params["count"] == len(points[::14])
 
 
 def test_one_absurd_point_on_the_map_spoils_no_line(folder: Path) -> None:

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
+from lispac.message_texts import message_text
+from lispac.messages import Level, Message
 from lispac.project import LineSource, PickedSighting, Project, Settings
 from lispac.workflow import calibration, picking, projects
 from lispac.workflow.demo import make_demo
@@ -252,3 +254,21 @@ def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> Non
             lines=[line, LineSource(line.name, copy.lines[1].path)],
             settings=copy.settings,
         )
+
+
+def test_an_adjustment_without_an_answer_names_what_is_wrong_with_the_data(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project, survey = calibrated
+    line = project.lines[0].name
+    alone = replace(project, targets=tuple(
+        replace(target, sightings=tuple(s for s in target.sightings if s.line == line))
+        for target in project.targets
+    ))  # fmt: skip
+    params = {"line": line, "other": "L2", "seconds": 60.0}
+    warning = Message("audit.same_time", Level.WARNING, params)
+    note = Message("audit.not_checked", Level.NOTE, {"line": line})
+    with pytest.raises(AdjustmentError) as refused:
+        calibration.estimate(alone, replace(survey, messages=(note, warning)))
+    assert str(refused.value).endswith(message_text(warning))
+    assert message_text(note) not in str(refused.value)

@@ -5,6 +5,7 @@ import pytest
 
 from lispac.geometry.frames import LocalFrame
 from lispac.messages import Level
+from lispac.survey.states_between import densified
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_rate import interpolation_error, interpolation_messages
 
@@ -48,6 +49,22 @@ def test_a_rate_too_low_for_the_motion_is_a_warning(rate: float, warned: bool) -
         assert (message.code, message.level) == ("trajectory.rate_too_low", Level.WARNING)
         assert message.params["rate"] == pytest.approx(rate)
         assert message.params["share"] > 0.1
+
+
+def test_the_rate_is_that_of_the_file_where_states_are_inserted() -> None:
+    time, tick = np.arange(0, 60, 0.5), 1e-4
+    own, rates = (
+        np.hstack(states(time)),
+        (np.hstack(states(time + tick)) - np.hstack(states(time - tick))) / (2 * tick),
+    )
+    dense = densified(time, own, rates, longest_gap=1.0)
+    assert dense.parts > 1
+    track = LocalTrajectory(
+        FRAME, dense.time, dense.states[:, :3], dense.states[:, 3:],
+        curve_error=dense.error, parts=dense.parts,
+    )  # fmt: skip
+    (message,) = interpolation_messages(track, ACCURACY, {"L1": (10.0, 30.0)})
+    assert message.params["rate"] == pytest.approx(2.0)
 
 
 def test_turns_between_the_lines_do_not_count() -> None:

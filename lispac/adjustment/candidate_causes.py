@@ -31,7 +31,8 @@ Indices = NDArray[np.int64]
 PRIOR_SIGMA = {
     "lever_x": 0.1, "lever_y": 0.1, "lever_z": 0.1, "range_offset": 0.1,
     "scan_angle_offset": float(np.radians(0.5)), "latency": 0.02, "line_position": 0.2,
-    "line_boresight": float(np.radians(1.0)), "line_time": 0.2, "sighting_shift": 0.2, "sighting_surface": 0.2,
+    "line_boresight": float(np.radians(1.0)), "line_time": 0.2, "sighting_shift": 0.2,
+    "sighting_surface": 0.2,
 }  # fmt: skip
 """Metres, radians or seconds: size that an error of each kind has where it occurs. The evidence
 depends on its logarithm alone."""

@@ -22,6 +22,7 @@ from lispac.adjustment.shapes import (
 )
 from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
 from lispac.adjustment.sums import Groups, State, Weights, grouped, residuals, sum_by_group
+from lispac.errors import RankDeficient
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -263,6 +264,12 @@ class Problem:
         owners = observations.target_of_sighting
         whole = np.zeros((len(state.shapes), 4, 4))
         np.add.at(whole, owners, summed[:, own, own])
+        without = np.flatnonzero(whole[:, 3, 3] <= 0)
+        if len(without):
+            raise RankDeficient(
+                f"No point of target {observations.targets[without[0]]} agrees with the other "
+                "targets and lines; pick the target again, or leave it out."
+            )
         planes = plane_tangents(state.shapes[:, :3], centres_and_extents(whole)[0])
         shapes = [
             sphere_tangent(known_radius=observations.radii[target] is not None)

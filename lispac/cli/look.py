@@ -27,7 +27,8 @@ def look(arguments: Namespace) -> None:
         return
     print(arguments.file)
     for item in found:
-        _print(item)
+        if item.finding is not None or found[0].finding is None:  # one that fits was found first
+            _print(item)
 
 
 def _audited(path: Path, found: Sequence[Look]) -> list[Look]:

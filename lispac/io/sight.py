@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.points import COARSEST_TIME, GEOREFERENCED, NO_SYSTEM, SCANNER, coarseness
 from lispac.survey.crs import ELLIPSOID, coordinate_system
+from lispac.survey.time_quality import time_quality
 from lispac.survey.time_restart import counted_on, restart_of
 
 Array = NDArray[np.float64]
@@ -50,6 +51,9 @@ def sight(
         Bounds the header states, where it does.
     """
     doubts: list[str] = []
+    is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999 say
+    if is_filled.any() and not is_filled.all():
+        xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
     low = xyz.min(axis=0) if low is None else low
     high = xyz.max(axis=0) if high is None else high
     facts = {
@@ -103,16 +107,10 @@ def _time_doubts(time: NDArray[Any], count: int) -> tuple[str, ...]:
     """Doubts about ``time`` (n,), seconds as stored."""
     doubts = []
     step = coarseness(time)
-    rounded = time.astype(np.float32)
-    hidden = float(np.spacing(np.max(np.abs(rounded)))) if len(rounded) else 0.0
+    hidden = time_quality(time).resolution if time.dtype == np.float64 and count > 100 else None
     if step > COARSEST_TIME / 10:
         doubts.append(f"Times are stored with 32 bits, in steps of {step:.3g} s: export with 64.")
-    elif (
-        time.dtype == np.float64
-        and count > 100
-        and hidden > COARSEST_TIME
-        and (time == rounded).all()
-    ):
+    elif hidden is not None and hidden > COARSEST_TIME:
         doubts.append(
             f"Times look as if they had passed through 32 bits (steps of {hidden:.3g} s): "
             "points may be put on the wrong pose; export with 64-bit time."

@@ -121,7 +121,7 @@ def look(path: Path, choice: Choice) -> Finding:
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
     doubts: tuple[str, ...] = ()
-    if feet:
+    if feet and "unit" not in header_options(layout):
         doubts = ("The head of the file speaks of feet: check the unit.",)
     if crs and units:
         doubts = unit_doubts(units, crs)  # the names say which, and which does not fit

@@ -1,7 +1,7 @@
 """A look into a trajectory of text: a part of it read, its facts and its doubts."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, islice
 from pathlib import Path
 
@@ -22,6 +22,7 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_facts import (
+    Motion,
     angle_unit_messages,
     course_doubts,
     duration_words,
@@ -87,8 +88,7 @@ def look_at_text(
         return Finding(facts, rows, choice, tuple(doubts))
     doubts += map_doubts(path, layout.columns, conventions, first)
     whole, said = _with_tail(path, layout, conventions, first, head)
-    motion = motion_of(first.time, first.latitude, first.longitude, first.height)
-    exchanged = motion_of(first.time, first.longitude, first.latitude, first.height)
+    motion, exchanged = _motions(first)
     speed = motion.speed
     facts |= facts_of(whole.time, whole.latitude, whole.longitude, whole.height, speed)
     doubts += said
@@ -98,6 +98,19 @@ def look_at_text(
     unit = next(column.unit for column in layout.columns if column.role == "heading")
     messages = angle_unit_messages(path, motion, first.attitude[:, 2], UNITS[unit].si)
     return Finding(facts, rows, choice, tuple(doubts), first.assumptions, messages)
+
+
+def _motions(first: Trajectory) -> tuple[Motion, Motion]:
+    """Motion as read and with latitude and longitude exchanged, from the first fix on."""
+    fixed = np.flatnonzero((first.latitude != 0) | (first.longitude != 0))
+    time, height = first.time[fixed], first.height[fixed]
+    latitude, longitude = first.latitude[fixed], first.longitude[fixed]
+    motion = motion_of(time, latitude, longitude, height)
+    exchanged = motion_of(time, longitude, latitude, height)
+    return (
+        replace(motion, index=fixed[motion.index]),
+        replace(exchanged, index=fixed[exchanged.index]),
+    )
 
 
 def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> Finding:

@@ -65,7 +65,7 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
             status[i] = NOT_FINITE
         elif farthest >= 0:
             r2 = x * x + y * y + z * z
-            if r2 <= near:
+            if r2 <= near or x == y == z:  # scanners fill in one value, 0 or -9999, where no echo
                 status[i] = NO_RANGE
             elif r2 > far:
                 status[i] = TOO_FAR

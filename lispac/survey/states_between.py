@@ -38,12 +38,15 @@ class Densified:
         By how much the cubics may be off; None where nothing was inserted.
     unused : tuple of int
         Components whose derivatives contradict the states, so that they are interpolated linearly.
+    parts : int
+        Intervals that one interval between given states was divided into.
     """
 
     time: Array
     states: Array
     error: Array | None = None
     unused: tuple[int, ...] = ()
+    parts: int = 1
 
 
 def densified(time: Array, states: Array, derivatives: Array, longest_gap: float) -> Densified:
@@ -109,7 +112,7 @@ def _inserted(
     times = np.append(time[first] + u[:, 0] * span[:, 0], time[-1])
     times[own] = time[first[own]]
     error = np.repeat(np.maximum(np.abs(off[:-1]), np.abs(off[1:])), counts, axis=0)
-    return Densified(times, dense, error, unused)
+    return Densified(times, dense, error, unused, parts)
 
 
 def hermite(u: Array, span: Array, ends: tuple[Array, Array], slopes: tuple[Array, Array]) -> Array:

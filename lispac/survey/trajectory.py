@@ -186,6 +186,8 @@ class LocalTrajectory:
         Warnings and notes about the states.
     curve_error : ndarray of shape (n - 1, 6), metres and radians, or None
         By how much states that were inserted between those of the file may be off.
+    parts : int
+        Intervals here that one interval of the file was divided into.
     """
 
     frame: LocalFrame
@@ -195,6 +197,7 @@ class LocalTrajectory:
     longest_gap: float = LONGEST_GAP
     messages: tuple[Message, ...] = ()
     curve_error: Array | None = None
+    parts: int = 1
 
     @classmethod
     def of(
@@ -239,7 +242,7 @@ class LocalTrajectory:
             messages += (Message("trajectory.rates_not_used", Level.NOTE, {"names": names}),)
         return cls(
             frame, dense.time, dense.states[:, :3], dense.states[:, 3:], longest_gap, messages,
-            dense.error,
+            dense.error, dense.parts,
         )  # fmt: skip
 
     @cached_property

@@ -89,7 +89,7 @@ def interpolation_messages(
                     Level.WARNING,
                     {
                         "line": name,
-                        "rate": 1.0 / float(np.median(steps[of_line])),
+                        "rate": 1.0 / (trajectory.parts * float(np.median(steps[of_line]))),
                         "shift": position,
                         "turn": turn,
                         "share": share,

@@ -12,6 +12,10 @@
         <translation>La forme d&apos;une cible n&apos;est pas déterminée par ses points ; désignez des points qui s&apos;y étendent dans deux directions.</translation>
     </message>
     <message>
+        <source>No point of target {target:kept} agrees with the other targets and lines; pick the target again, or leave it out.</source>
+        <translation>Aucun point de la cible {target} ne s&apos;accorde avec les autres cibles et lignes ; choisissez-la de nouveau ou écartez-la.</translation>
+    </message>
+    <message>
         <source>These points do not determine boresight and targets; add targets or lines.</source>
         <translation>Ces points ne déterminent pas les angles de visée et les cibles ; ajoutez des cibles ou des lignes.</translation>
     </message>
@@ -5496,8 +5500,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{line} : {count} points ({share} %) ont des valeurs qui ne sont pas des nombres. Ils sont exclus.</translation>
     </message>
     <message>
-        <source>{line:kept}: {count:n} points ({share:n} %) have no range: shots without an echo. They are excluded.</source>
-        <translation>{line} : {count} points ({share} %) n&apos;ont pas de distance : des tirs sans écho. Ils sont exclus.</translation>
+        <source>{line:kept}: {count:n} points ({share:n} %) have no range or one value for x, y and z: shots without an echo. They are excluded.</source>
+        <translation>{line} : {count} points ({share} %) n&apos;ont pas de distance ou une même valeur en x, y et z : des tirs sans écho. Ils sont exclus.</translation>
     </message>
     <message>
         <source>{line:kept}: {count:n} points ({share:n} %) lie beyond the largest range of the scanner. They are excluded.</source>
@@ -5599,8 +5603,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 <context>
     <name>recovery of a line</name>
     <message>
-        <source>{line:kept}: the heights are {offset:n} m above those of the trajectory, as with heights above sea level and an ellipsoidal trajectory. The recovered points do not lie on the beams of the scanner (off by {misfit:n} mm), and the angles will be wrong. Give the height system, or {value:n} m to be added.</source>
-        <translation>{line} : les hauteurs dépassent de {offset} m celles de la trajectoire, comme des altitudes avec une trajectoire ellipsoïdale. Les points reconstitués ne se trouvent pas sur les faisceaux du scanner (écart {misfit} mm), et les angles seront faux. Indiquez le système d&apos;altitude, ou {value} m à ajouter.</translation>
+        <source>{line:kept}: the heights less those of the trajectory are {offset:n} m, as with heights above sea level and an ellipsoidal trajectory. The recovered points do not lie on the beams of the scanner (off by {misfit:n} mm), and the angles will be wrong. Give the height system, or {value:n} m to be added.</source>
+        <translation>{line} : les hauteurs moins celles de la trajectoire font {offset} m, comme pour des altitudes avec une trajectoire ellipsoïdale. Les points reconstitués ne se trouvent pas sur les faisceaux du scanner (écart {misfit} mm), et les angles seront faux. Indiquez le système d&apos;altitude, ou {value} m à ajouter.</translation>
     </message>
     <message>
         <source>{line:kept}: the points fit the beams of the scanner only with {value:n} s added to their times. The recovered points are off by {misfit:n} mm, and the angles will be wrong. Check the time base of the line.</source>
