@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import Component
 from lispac.adjustment.robust import LOSSES
@@ -11,6 +13,7 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.io.formats import POINTS
 from lispac.project import Project
 from lispac.report.content import ReportContent
+from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content
 from tests.test_doubts import CASES
 
@@ -36,6 +39,7 @@ NOTES = (
     "longer than 0.5 s, of 1,234,567, are left out",
 )
 
+STEEP = Mounting.near(np.array([-0.2, 0.04, 2.4]), np.radians([20.0, 89.3, 58.2]))
 Change = Callable[[Project], Project]
 
 
@@ -117,6 +121,7 @@ VARIANTS: dict[str, Change] = {
     "parameters": _parameters,
     "worse": _worse,
     "components": _components,
+    "steep pitch": with_result(mounting=STEEP),
     "thesis": with_result(model=StochasticModel("independent"), reliability=(), surface=0.0),
     "chi-square high": _chi_square(1.1),
     "chi-square high, thesis": _chi_square(1.1, thesis=True),

@@ -3,11 +3,24 @@
 import numpy as np
 import pytest
 
-from lispac.geometry.rotations import rotation_matrix
+from lispac.geometry.rotations import angles_of, rotation_matrix
 from lispac.survey.conventions.conversion import Setup
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
 from lispac.survey.georeferencing import Mounting
+
+
+def test_a_steep_pitch_is_told_by_the_axes() -> None:
+    """There roll and yaw are turns about the same axis and say little alone."""
+    assert boresight_words(np.radians([0.0, 90.0, 0.0])) == (
+        "The scanner's axes point: X down, Y port, Z forward."
+    )
+    rotation = rotation_matrix(*np.radians([-57.9, 89.3, 58.2]))
+    cosine = min(-rotation[2, 0], rotation[1, 1], rotation[0, 2])
+    off = f"{np.degrees(np.arccos(cosine)):.3f}".rstrip("0")
+    assert boresight_words(angles_of(rotation)) == (
+        f"The scanner's axes point: X down, Y port, Z forward, off by {off} deg at most."
+    )
 
 
 def test_a_boresight_in_a_sentence() -> None:

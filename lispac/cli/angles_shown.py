@@ -126,7 +126,7 @@ def _print_given(given: Given) -> None:
     if convention.key != "lispac":
         _line("", setup.scanner_words(mounting.rotation_body_lidar))
     print()
-    _line("IN WORDS", boresight_words(mounting.boresight))
+    _line("IN WORDS", boresight_words(mounting.plain.boresight))
     if given.has_lever_arm:
         _line("", lever_arm_words(mounting.lever_arm))
     if offsets := offsets_words(mounting):
@@ -270,7 +270,7 @@ def numbers(given: Given, new: Replacement) -> dict[str, Any]:
     content: dict[str, Any] = {
         "from": _stated_numbers(own, given.has_lever_arm),
         "to": _stated_numbers(stated, new.has_lever_arm),
-        "in_words": boresight_words(given.mounting.boresight),
+        "in_words": boresight_words(given.mounting.plain.boresight),
         "offsets": offsets_words(given.mounting),
         "caution": given.caution,
     }

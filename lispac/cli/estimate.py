@@ -218,7 +218,7 @@ def numbers(
         "surface_sigma_m": result.surface,
         "offset_sigma_m": result.offset,
         "noise_factor": {target.target: target.noise for target in result.targets},
-        "prior_boresight_deg": _degrees(result.prior_boresight),
+        "prior_boresight_deg": _degrees(result.prior_angles),
         "joint_plane_rms_m": {"before": result.rms_before, "after": result.rms_after},
         "parameters": {p.name: _parameter(p) for p in result.parameters},
         "observability": seen

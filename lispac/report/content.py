@@ -48,6 +48,7 @@ from lispac.report.values import (
     SightingJudged,
     TargetFit,
 )
+from lispac.survey.conventions.words import boresight_words
 from lispac.survey.source import printable
 from lispac.targets.quality import SightingQuality
 
@@ -182,7 +183,7 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
 def _angles(project: Project) -> tuple[Angle, ...]:
     result, truth = project.result, project.truth_deg
     # The prior the adjustment started from, which is the one its residuals "before" belong to.
-    prior = np.degrees(result.prior_boresight) if result else project.settings.boresight_deg
+    prior = np.degrees(result.prior_angles) if result else project.settings.boresight_deg
     angles = []
     for k, name in enumerate(ANGLES):
         estimated = float(np.degrees(result.angles[k])) if result else None
@@ -203,7 +204,9 @@ def _angles(project: Project) -> tuple[Angle, ...]:
 
 def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> Adjustment:
     per_target = [s.sighting.target for s in result.sightings]
+    steep = result.mounting.axes is not None
     return Adjustment(
+        rotation_in_words=boresight_words(result.angles) if steep else "",
         correlation=tuple(tuple(map(float, row)) for row in result.correlation),
         estimated=result.estimated,
         correlation_all=tuple(tuple(map(float, row)) for row in result.correlation_all),

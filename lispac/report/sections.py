@@ -33,6 +33,8 @@ def summary(content: ReportContent) -> list[Block]:
     blocks: list[Block] = [_angle_table(content)]
     adjustment = content.adjustment
     if adjustment is not None:
+        if adjustment.rotation_in_words:
+            blocks.append(Paragraph(adjustment.rotation_in_words))
         targets = count(len(adjustment.targets), "target")
         blocks.append(
             Paragraph(

@@ -270,9 +270,11 @@ class Adjustment:
 
     ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
     ``critical_w`` is the test value beyond which a sighting disagrees. ``one_facing`` says that all
-    targets are planes with the same normal.
+    targets are planes with the same normal. ``rotation_in_words`` is empty but where the pitch is
+    steep, so that roll, pitch and yaw do not describe the rotation well.
     """
 
+    rotation_in_words: str
     correlation: tuple[tuple[float, ...], ...]
     estimated: tuple[str, ...]
     correlation_all: tuple[tuple[float, ...], ...]

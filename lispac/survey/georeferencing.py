@@ -43,6 +43,11 @@ AXES = tuple(
 """The 24 rotations by right angles, each of shape (3, 3)."""
 
 
+def is_steep(boresight: Array) -> bool:
+    """Whether roll, pitch, yaw (3,), radians, have a pitch at which roll and yaw are one turn."""
+    return bool(abs(np.sin(boresight[1])) >= np.sin(STEEPEST_PITCH))
+
+
 @dataclass(frozen=True, eq=False)
 class Mounting:
     """How the LiDAR sits in the body frame, and what its readings are off by.
@@ -92,7 +97,7 @@ class Mounting:
         """
         given = cls(lever_arm, boresight, range_offset, scan_angle_offset, latency)
         rotation = given.rotation_body_lidar
-        if np.abs(rotation[2, 0]) < np.sin(STEEPEST_PITCH):
+        if not is_steep(given.boresight):
             return given
         axes = max(AXES, key=lambda each: float(np.trace(each.T @ rotation)))
         return replace(given, boresight=angles_of(rotation @ axes.T), axes=axes)

@@ -10,6 +10,7 @@ from lispac.adjustment.parameters import Parameter
 from lispac.errors import InputError
 from lispac.gui.panels.fields import Fold
 from lispac.project import Project
+from lispac.survey.georeferencing import Mounting
 from tests.gui.support import (
     Control,
     Demo,
@@ -375,3 +376,21 @@ def test_a_pick_after_an_estimate_waits_for_the_button(picked: Driver, estimated
     assert (
         "Nothing estimated yet" in picked.window.results.findChild(QWidget, "results_empty").text()
     )
+
+
+def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(
+    driver: Driver, demo: Demo, estimated: Project
+):
+    driver.window.document.open(estimated, demo.survey)
+    driver.rest()
+    shown = driver.window.results.rotation
+    assert not shown.isVisible()
+    mounting = Mounting.near(np.array(estimated.settings.lever_arm), np.radians([20.0, 89.3, 58.2]))
+    steep = replace(estimated, result=replace(estimated.result, mounting=mounting))
+    driver.window.document.open(steep, demo.survey)
+    driver.rest()
+    assert shown.isVisible()
+    text = shown.text().replace("−", "-")
+    for value in mounting.rotation_body_lidar.ravel():
+        assert f"{value:+.8f}" in text
+    assert "X down" in text

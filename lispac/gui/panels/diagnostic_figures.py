@@ -23,13 +23,13 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     axes = _axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
     away = np.abs(path - path[-1]) * units.unit("°").factor
-    count = np.arange(len(path))
+    count, last = np.arange(len(path)), np.degrees(result.angles)
     for k, angle in enumerate(ANGLES):
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(
             count[:-1], shown, color=theme.scheme().series[k], marker=MARKERS[k], markersize=4,
             linewidth=1.3,
-            label=_degrees(f"{angle}  {_figure(path[-1, k], '+.4f')}°"),
+            label=_degrees(f"{angle}  {_figure(float(last[k]), '+.4f')}°"),
         )  # fmt: skip
     sigma = float(np.degrees(result.sigma.min()))
     sigma *= units.unit("°").factor

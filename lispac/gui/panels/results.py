@@ -25,6 +25,7 @@ from lispac.doubles import project_doubts
 from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import result_words, widgets
+from lispac.gui.panels.mounting_words import boresight_said
 from lispac.project import Project, Triple
 
 CONVENTION = (
@@ -90,6 +91,7 @@ class ResultsPanel(QWidget):
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
+            self._fill_rotation(result)
             self._fill_words(project, result, older)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
@@ -118,6 +120,9 @@ class ResultsPanel(QWidget):
             "muted", wrap=True,
         )  # fmt: skip
         layout.addWidget(self._truth_note)
+        self.rotation = widgets.label("", wrap=True, name="results_rotation")
+        self.rotation.setTextFormat(Qt.TextFormat.RichText)
+        layout.addWidget(self.rotation)
         self._parameters_head = widgets.label("Also estimated", "heading")
         layout.addWidget(self._parameters_head)
         self.parameters = widgets.label("", wrap=True, name="results_parameters")
@@ -137,6 +142,20 @@ class ResultsPanel(QWidget):
         layout.addWidget(widgets.label(CONVENTION, "muted", wrap=True, name="convention"))
         around.addStretch(1)
         return widgets.TallArea(outer, 380)
+
+    def _fill_rotation(self, result: AdjustmentResult) -> None:
+        """The rotation where the pitch is so steep that the three angles do not describe it."""
+        is_shown = result.mounting.axes is not None
+        self.rotation.setVisible(is_shown)
+        if is_shown:
+            rows = "".join(
+                f"<tr>{''.join(f'<td align=right>{value:+.8f}&nbsp;&nbsp;</td>' for value in row)}"
+                "</tr>"
+                for row in result.mounting.rotation_body_lidar
+            ).replace("-", "−")
+            words = escape(boresight_said(result.angles))
+            title = escape(say("Rotation matrix, LiDAR to body (forward, left, up):"))
+            self.rotation.setText(f"{words}<br>{title}<table>{rows}</table>")
 
     def _fill_words(self, project: Project, result: AdjustmentResult, older: str) -> None:
         also = list(project_doubts(project))

@@ -5,7 +5,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.survey.georeferencing import Mounting
+from lispac.geometry.rotations import rotation_matrix
+from lispac.survey.conventions.axes import axes_matrix, in_words, nearest_axes
+from lispac.survey.georeferencing import Mounting, is_steep
 
 Array = NDArray[np.float64]
 Figures = Callable[[float, float, float], Sequence[str]]
@@ -23,13 +25,15 @@ LARGE_DEG = 10.0
 
 
 def boresight_words(boresight: Array, figures: Figures | None = None) -> str:
-    """Where the scanner looks, as a sentence.
+    """Where the scanner looks, as a sentence; by its axes where the pitch is steep.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
     figures : writes the sizes of three angles in degrees; empty where one is zero
     """
+    if is_steep(boresight):
+        return _axes_words(rotation_matrix(*boresight), figures or _amounts)
     roll, pitch, yaw = np.degrees(boresight)
     leans, looks, turned = (figures or _amounts)(roll, pitch, yaw)
     parts = []
@@ -47,6 +51,22 @@ def boresight_words(boresight: Array, figures: Figures | None = None) -> str:
         # The body's axes are carried onto the scanner's by yaw, then pitch, then roll.
         sentence += " (first turned, then pitched, then rolled)"
     return sentence + "."
+
+
+def _axes_words(rotation: Array, figures: Figures) -> str:
+    """Where the axes of the scanner point, to the nearest direction of the vessel.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+        From the LiDAR to the body frame.
+    """
+    axes = nearest_axes(rotation)
+    cosines = np.einsum("ij,ij->i", axes_matrix(axes), rotation.T)
+    off = float(np.degrees(np.arccos(np.clip(cosines.min(), -1.0, 1.0))))
+    apart = figures(off, 0.0, 0.0)[0]
+    said = f"The scanner's axes point: {in_words(axes)}"
+    return f"{said}, off by {apart} deg at most." if apart else f"{said}."
 
 
 def lever_arm_words(lever_arm: Sequence[float] | Array, figures: Figures | None = None) -> str:

@@ -3485,6 +3485,14 @@ lignes</translation>
         <translation>bas</translation>
     </message>
     <message>
+        <source>The scanner&apos;s axes point: {axes}.</source>
+        <translation>Les axes du scanneur pointent : {axes}.</translation>
+    </message>
+    <message>
+        <source>The scanner&apos;s axes point: {axes}, off by {off:n} deg at most.</source>
+        <translation>Les axes du scanneur pointent : {axes}, à {off} deg près.</translation>
+    </message>
+    <message>
         <source>The scanner&apos;s axes are named as the body&apos;s: angles of zero mean parallel.</source>
         <translation>Les axes du scanneur portent les noms de ceux du navire : des angles nuls signifient parallèles.</translation>
     </message>

@@ -5026,6 +5026,10 @@
         <translation>Angles de visée, degrés</translation>
     </message>
     <message>
+        <source>Rotation matrix, LiDAR to body (forward, left, up):</source>
+        <translation>Matrice de rotation, LiDAR vers navire (avant, gauche, haut) :</translation>
+    </message>
+    <message>
         <source>Simulated survey: the truth is known. Green lies within the 95 % interval.</source>
         <translation>Levé simulé : la vérité est connue. En vert, ce qui est dans l&apos;intervalle à 95 %.</translation>
     </message>
