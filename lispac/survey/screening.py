@@ -309,7 +309,7 @@ class PointScreen:
         self._tail = np.column_stack([bits[0][last], bits[1][last]])
         self._counts[kernels.DUPLICATE] += found
         self._counts[kernels.KEPT] -= found
-        values, times = np.unique(sampled[:count], return_counts=True)
+        values, times = _smallest(sampled[:count])
         for value, repeats in zip(values[:SKETCH].tolist(), times[:SKETCH].tolist(), strict=True):
             self._sketch[value] = self._sketch.get(value, 0) + repeats
         if len(self._sketch) >= SKETCH:
@@ -343,6 +343,18 @@ class PointScreen:
                 count = int(np.count_nonzero((classes == noise) & used))
                 if count:
                     self._noise[noise] = self._noise.get(noise, 0) + count
+
+
+def _smallest(hashes: NDArray[np.uint64]) -> tuple[NDArray[np.uint64], NDArray[np.int64]]:
+    """The smallest different hashes, `SKETCH` of them at least if there are, and their numbers."""
+    few = 2 * SKETCH
+    if len(hashes) > 4 * few:  # sorting all takes longer than everything else together
+        values, times = np.unique(
+            hashes[hashes <= np.partition(hashes, few)[few]], return_counts=True
+        )
+        if len(values) >= SKETCH:
+            return values, times
+    return np.unique(hashes, return_counts=True)
 
 
 def within_range(points_lidar: Array, most_range: float) -> Mask:

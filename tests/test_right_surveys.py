@@ -1,0 +1,79 @@
+"""Surveys without any fault raise no warning when they are imported, as files and as clouds."""
+
+from collections import Counter
+from itertools import product
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+
+from lispac.io.las_crs_written import OWN_ID
+from lispac.messages import Level
+from lispac.project import LineSource, Project, Reading
+from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.projects import new_project
+from lispac.workflow.simulate import simulate
+from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.survey import Survey, load_survey
+
+SURVEYS = list(
+    product(
+        ("marine", "port", "terrestrial"),
+        ("launch", "van"),
+        ("profiler", "riegl-vux-1", "zf-9012", "velodyne-hdl-32e", "ouster-os1-128"),
+    )
+)
+"""Scene, vessel and scanner."""
+POINTS_PER_SECOND = 20_000
+UTM = "EPSG:32619"
+
+
+def simulated(folder: Path, seed: int) -> Project:
+    """A survey with a boresight of its own, as far off as a rough mounting."""
+    scene, vessel, scanner = SURVEYS[seed % len(SURVEYS)]
+    boresight = np.random.default_rng(seed).uniform(-3, 3, 3)
+    made = simulation(
+        scene, vessel=vessel, scanner=scanner, points_per_second=POINTS_PER_SECOND,
+        errors={"boresight_deg": tuple(boresight)},
+    )  # fmt: skip
+    return simulate(folder, made, seed=seed)[0]
+
+
+def as_clouds(project: Project, folder: Path) -> Survey:
+    """The lines on the map as another program writes them, read back with what made them."""
+    written = georeference_project(project, folder / "clouds", "prior", system=UTM)
+    lines = []
+    for each in written:
+        cloud = laspy.read(each.path)
+        cloud.header.vlrs[:] = [vlr for vlr in cloud.header.vlrs if vlr.user_id != OWN_ID]
+        cloud.write(each.path)
+        options = (("frame", "georeferenced"), ("crs", UTM))
+        lines.append(LineSource(each.path.stem, each.path, (), Reading("las", options)))
+    return new_project(
+        folder / "again", trajectory=project.trajectory, lines=lines, settings=project.settings
+    )[1]
+
+
+def warnings_of(folder: Path, seed: int) -> list[str]:
+    project = simulated(folder / "survey", seed)
+    surveys = [load_survey(project), as_clouds(project, folder)]
+    return [
+        each.code for survey in surveys for each in survey.messages if each.level is Level.WARNING
+    ]
+
+
+@pytest.mark.parametrize("seed", [0, 24])
+def test_a_right_survey_raises_no_warning(tmp_path: Path, seed: int) -> None:
+    assert warnings_of(tmp_path, seed) == []
+
+
+@pytest.mark.long
+def test_a_hundred_right_surveys_raise_no_warning(tmp_path: Path) -> None:
+    found: Counter[str] = Counter()
+    for seed in range(100):
+        for code in set(warnings_of(tmp_path / str(seed), seed)):
+            print(seed, SURVEYS[seed % len(SURVEYS)], code)
+            found[code] += 1
+    print(f"false warnings in 100 surveys: {dict(found)}")
+    assert not found
