@@ -181,7 +181,7 @@ def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
 
 def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
-    rows = np.column_stack([START + np.linspace(30, 60, 500), np.ones((500, 3)) * 5])
+    rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
     _, survey = made(tmp_path / "p", track, path, Reading(), Reading("", (("time", "utc-week"),)))
@@ -281,7 +281,7 @@ def test_a_typed_shift_holds_where_the_bases_lead_nowhere(track, tmp_path) -> No
 
 def test_of_a_typed_shift_it_is_not_said_that_the_base_is_not_told(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
-    rows = np.column_stack([START + np.linspace(30, 60, 500), np.ones((500, 3)) * 5])
+    rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
     stated = Reading("", (("time", "utc-week"),))
