@@ -12,7 +12,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.doubt import MOST_NAMED, Doubt
+from lispac.adjustment.doubt import MOST_NAMED, Doubt, some
 from lispac.adjustment.doubts import doubts
 from lispac.adjustment.shown import listed
 from lispac.causes import RESULT, Cause
@@ -155,7 +155,28 @@ def doubts_of(project: Project, also: Iterable[Doubt] = ()) -> tuple[Doubt, ...]
 
 def project_doubts(project: Project) -> tuple[Doubt, ...]:
     """Doubts that follow from picks and files, before any adjustment."""
-    return (*doubles(project), *data_warnings(project))
+    return (*doubles(project), *seen_once(project.targets), *data_warnings(project))
+
+
+def seen_once(targets: Iterable[Target]) -> tuple[Doubt, ...]:
+    """Targets that take no part because a single line has them."""
+    alone = [
+        target
+        for target in targets
+        if target.role == "target" and target.used_sightings and not target.is_compared
+    ]
+    if not alone:
+        return ()
+    named = [f"{target.name} on line {target.used_sightings[0].line}" for target in alone]
+    return (
+        Doubt(
+            "seen_once",
+            False,
+            f"Targets on one line only take no part, since nothing compares them: {some(named)}. "
+            "Seed them on other lines, or leave them out.",
+            Cause.of_target(alone[0].name),
+        ),
+    )
 
 
 def data_warnings(project: Project) -> tuple[Doubt, ...]:

@@ -85,6 +85,11 @@ class Target:
         """Sightings that take part."""
         return tuple(s for s in self.sightings if s.used) if self.used else ()
 
+    @property
+    def is_compared(self) -> bool:
+        """Whether two lines at least have the target, so that an adjustment can compare them."""
+        return len(self.used_sightings) >= 2
+
 
 LONGEST_NAME = 40
 

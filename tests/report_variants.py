@@ -20,7 +20,6 @@ from tests.test_doubts import CASES
 SENTENCES = (
     "The weakest direction is yaw together with roll and pitch, known to 0.038 deg; the strongest "
     "is roll, known to 0.016 deg (1 sigma).",
-    "Without lines L1 and L2 the angles would not be determined.",
     "Pitch is seen mainly by line L3: without L3 its sigma would be 0.040 instead of 0.029 deg.",
     "Roll hangs on no single line.",
 )

@@ -264,9 +264,9 @@ def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
     """Two parts of a kind are too few for a jackknife."""
     solved = Solved.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
-    assert unforeseen(solved).shape == (3,)
+    assert unforeseen(solved.here, solved.origins).shape == (3,)
     monkeypatch.setattr(scatter, "STRETCHES", 2)
-    np.testing.assert_array_equal(unforeseen(solved), np.zeros(3))
+    np.testing.assert_array_equal(unforeseen(solved.here, solved.origins), np.zeros(3))
 
 
 BESIDE_EACH_OTHER = (
@@ -296,10 +296,10 @@ def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
     expected = 3 / 4 * np.maximum((off**2 - foreseen).sum(axis=0), 0.0)
     solved = Solved.of(whole, data, TRUTH)
     assert solved is not None
-    more = unforeseen(solved)
+    more = unforeseen(solved.here, solved.origins)
     np.testing.assert_allclose(more, expected, rtol=0.01)
     assert np.count_nonzero(expected) == 2
-    raised = with_scatter(whole, solved)
+    raised = with_scatter(whole, solved.here, solved.origins)
     np.testing.assert_allclose(raised.sigma**2, whole.sigma**2 + more)
     np.testing.assert_allclose(raised.correlation_all, whole.correlation_all)
 

@@ -12,7 +12,8 @@ from lispac.adjustment.critical import rarely_more
 from lispac.adjustment.doubt import MOST_NAMED, some
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import Contradiction
+from lispac.adjustment.result import Contradiction, Unchecked
+from lispac.adjustment.scatter import raised
 from lispac.adjustment.shown import listed
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.cli.estimate import numbers, print_result
@@ -45,10 +46,35 @@ def _unseen(project: Project) -> Project:
     return replace(wide, result=replace(wide.result, parameters=(turned,)))
 
 
-def _spread(project: Project) -> Project:
-    checks = project.cross_checks
-    assert checks is not None
-    return replace(project, cross_checks=replace(checks, spread_lines=checks.sigma * [1, 2.5, 1.9]))
+def _unchecked(
+    kind: str, *, lines: int = 0, of_target: bool = False, angles: tuple[str, ...] = (),
+    size: float = 0.0,
+) -> Callable[[Project], Project]:  # fmt: skip
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        assert project.result.observability is not None
+        target = project.targets[0].name if of_target else ""
+        found = tuple(
+            Unchecked(kind, target, name, angles, size)
+            for name in [line.name for line in project.lines[:lines]] or [""]
+        )
+        seen = replace(project.result.observability, unchecked=found)
+        return replace(project, result=replace(project.result, observability=seen))
+
+    return change
+
+
+def _shorter(project: Project) -> Project:
+    assert project.result is not None
+    model = StochasticModel(position_time=30.0, attitude_time=60.0)
+    return replace(
+        project, result=replace(project.result, model=model, stated_times=(300.0, 600.0))
+    )
+
+
+def _raised(project: Project) -> Project:
+    assert project.result is not None
+    return replace(project, result=raised(project.result, np.array([1.0, 2.5, 1.02])))
 
 
 def _apart(project: Project) -> Project:
@@ -143,8 +169,13 @@ CASES = [
     ("large_sigma", True, _wide, "roll to 0.49 deg (1 sigma). Add targets"),
     ("large_sigma", True, _unseen, "What these lines and targets do not see goes into it: "
      "scan-angle offset."),
-    ("spread", False, _spread, "spread 2.5 times as widely in pitch as its sigma says: rely on "
-     "0.07"),
+    ("line_unchecked", True, _unchecked("line", lines=2), "any of the lines L1 and L2 the angles"),
+    ("target_unchecked", True, _unchecked("target", of_target=True), "Without target T1"),
+    ("targets_together", True, _unchecked("together", size=0.031), "within 3 % of"),
+    ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
+                                        angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
+    ("shorter_times", False, _shorter, "(300 s for position, 600 s for attitude)"),
+    ("sigmas_raised", False, _raised, "The sigmas are raised for it: pitch from 0.0291 to 0.0728"),
     ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 of its sigmas)"),
     ("high_correlation", False, _told_apart_badly, "Roll and pitch are hardly told apart "
      "(correlation -0.97)"),
@@ -239,7 +270,7 @@ def test_a_few_are_all_named_and_of_more_it_is_told_how_many() -> None:
 
 
 def test_serious_doubts_come_first(project: Project) -> None:
-    changed = _spread(_wide(project))
+    changed = _raised(_wide(project))
     assert changed.result is not None
     told = [doubt.serious for doubt in doubts(changed.result, changed.cross_checks)]
     assert told == [True, False]

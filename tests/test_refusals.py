@@ -3,6 +3,7 @@
 import json
 import shutil
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +11,12 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac.doubles import doubts_of
 from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message
 from lispac.project import LineSource, PickedSighting, Project, Settings
+from lispac.report.content import report_content
 from lispac.workflow import calibration, picking, projects
 from lispac.workflow.demo import make_demo
 from lispac.workflow.survey import Survey, load_survey
@@ -34,12 +37,40 @@ def test_unknown_line_is_named(calibrated: tuple[Project, Survey]) -> None:
         picking.pick(project, survey, (0, 0, 0), name="T9", line="L9")
 
 
-def test_target_on_one_line_only_is_refused(calibrated: tuple[Project, Survey]) -> None:
+def test_a_target_on_one_line_only_takes_no_part(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    """The others are adjusted as if it were left out; warnings and report name it."""
     project, survey = calibrated
     target = project.target("T1")
+    for plane in project.of_role("validation"):
+        project = project.with_target(replace(plane, role="target"))
     single = project.with_target(replace(target, sightings=target.sightings[:1]))
-    with pytest.raises(AdjustmentError, match=f"on line {target.sightings[0].line} only"):
-        calibration.estimate(single, survey)
+    found = calibration.estimate(single, survey)
+    without = calibration.estimate(project.with_target(replace(target, used=False)), survey)
+    assert found.result is not None
+    assert without.result is not None
+    np.testing.assert_array_equal(found.result.boresight, without.result.boresight)
+    assert "T1" not in {each.target for each in found.result.targets}
+    for told in (doubts_of(found), doubts_of(replace(single, result=None))):
+        (doubt,) = (each for each in told if each.code == "seen_once")
+        assert doubt.cause.name == "T1"
+    assert not any(each.code == "seen_once" for each in doubts_of(without))
+    report = report_content(
+        found, headings_deg=dict.fromkeys(survey.lines, 0.0), counts={}, track_local={}, notes=(),
+        generated=datetime(2026, 1, 1, tzinfo=UTC), digests=False,
+    )  # fmt: skip
+    assert "seen_once" in {each.code for each in report.cautions}
+
+
+def test_targets_on_one_line_each_are_refused(calibrated: tuple[Project, Survey]) -> None:
+    project, survey = calibrated
+    for k, target in enumerate(project.of_role("target")):
+        project = project.with_target(
+            replace(target, sightings=target.sightings[k % 2 : k % 2 + 1])
+        )
+    with pytest.raises(AdjustmentError, match="used on two lines"):
+        calibration.estimate(project, survey)
 
 
 def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey]) -> None:

@@ -18,19 +18,18 @@ from lispac.adjustment.shown import (
     listed,
     mm,
     named_parts,
+    one_of,
     parameter,
     signed,
     surface_sigmas,
-    times,
 )
 from lispac.causes import Cause
 
 LARGE_SIGMA_DEG = 0.1
 """An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
 
-WIDE_SPREAD = 2.0
-"""Spread by lines over the formal sigma: of six lines, chance makes it this wide once in a
-thousand."""
+RAISED = 1.05
+"""Factor on a sigma from which it is told that it was raised."""
 
 HIGH_CORRELATION = 0.9
 """Beyond it two angles are told apart mostly by their sum or difference."""
@@ -197,20 +196,84 @@ def _worst_angle(part: CrossCheck) -> str:
     )
 
 
-def _spread(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Doubt]:
-    if checks is None or checks.spread_lines is None:
+def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    """What nothing checks: an error of it would move the angles without a trace."""
+    if result.observability is None:
         return
-    spreads, sigmas = np.degrees(checks.spread_lines), np.degrees(checks.sigma)
-    for angle, spread, sigma in zip(ANGLES, spreads, sigmas, strict=True):
-        if spread > WIDE_SPREAD * sigma:
+    found = result.observability.unchecked
+    lines = [each.line for each in found if each.kind == "line"]
+    targets = [each.target for each in found if each.kind == "target"]
+    if lines:
+        yield Doubt(
+            "line_unchecked",
+            True,
+            f"Without {one_of('line', lines)} the angles are not determined, so an error of it "
+            "does not show. Add lines.",
+            Cause.of_line(lines[0]),
+        )
+    if targets:
+        yield Doubt(
+            "target_unchecked",
+            True,
+            f"Without {one_of('target', targets)} the angles are not determined, so an error of it "
+            "does not show. Add targets.",
+            Cause.of_target(targets[0]),
+        )
+    for each in found:
+        if each.kind == "together":
             yield Doubt(
-                "spread",
-                False,
-                f"The answers without one line each spread {times(spread / sigma)} as widely in "
-                f"{angle} as its sigma says: rely on {spread:.4f}\u00a0deg (1 sigma) rather than "
-                f"on {sigma:.4f}\u00a0deg.",
-                Cause.of_page("Cross-checks"),
+                "targets_together",
+                True,
+                f"The targets stand within {100 * each.size:.0f}\u00a0% of their distance from "
+                "the scanner and act as one: an error of a line does not show. Add targets at "
+                "other places.",
             )
+    carried = [each for each in found if each.kind == "sighting"]
+    if carried:
+        named = [f"{each.target} on line {each.line} ({listed(each.angles)})" for each in carried]
+        yield Doubt(
+            "carried_by_one",
+            True,
+            f"Carried by one sighting, of which an error does not show: {some(named)}. Add targets "
+            "or lines.",
+            Cause.of_sighting(carried[0].target, carried[0].line),
+        )
+
+
+def _shorter_times(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    if result.stated_times is not None:
+        position, attitude = result.stated_times
+        model = result.model
+        yield Doubt(
+            "shorter_times",
+            False,
+            f"With the stated correlation times of the POS errors ({position:g}\u00a0s for "
+            f"position, {attitude:g}\u00a0s for attitude) the residuals are too large for the "
+            f"chi-square test. With {model.position_time:g}\u00a0s and {model.attitude_time:g}"
+            "\u00a0s they pass it, and the sigmas are those of these times.",
+            Cause.of_field("position_time"),
+        )
+
+
+def _raised(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    if result.raised is None:
+        return
+    told = [
+        f"{angle} from {before:.4f} to {after:.4f}\u00a0deg"
+        for angle, before, after, factor in zip(
+            ANGLES, np.degrees(result.foreseen.sigma), np.degrees(result.sigma), result.raised,
+            strict=True,
+        )
+        if factor > RAISED
+    ]  # fmt: skip
+    if told:
+        yield Doubt(
+            "sigmas_raised",
+            False,
+            "The answers without single lines or targets scatter by more than the model of errors "
+            f"foresees. The sigmas are raised for it: {listed(told)}.",
+            Cause.of_page("Cross-checks"),
+        )
 
 
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], ...] = (
@@ -225,5 +288,7 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], 
     strays,
     noise,
     _parts,
-    _spread,
+    _unchecked,
+    _shorter_times,
+    _raised,
 )

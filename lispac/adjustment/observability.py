@@ -1,6 +1,6 @@
 """What the geometry sees: eigenvalues, weak directions, refusals, in numbers and in words."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.parameters import LIMITS, Estimate
 from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.result import ANGLES, Observability
+from lispac.adjustment.result import ANGLES, Observability, Unchecked
+from lispac.adjustment.scatter import sigmas_without
 from lispac.errors import RankDeficient
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import CALIBRATION
@@ -22,6 +23,13 @@ the mounting knows it as well."""
 PARALLEL = np.radians(10.0)
 """Lines, or normals, that differ by less count as one direction."""
 
+CARRIED = 4.0
+"""Factor by which a sigma grows without a sighting that carries the angle alone."""
+TOGETHER = 0.05
+"""Distance of targets, over that from the scanner, below which they act as one: POS errors, the
+direction of the beams and what is wrong with a line are the same for all of them."""
+MOST_SIGHTINGS = 100
+"""Of more, none carries an angle."""
 MATTERS = 1.25
 """Factor by which a sigma grows without a line that is worth naming."""
 
@@ -198,9 +206,24 @@ def _one_facing(linearised: Linearised) -> bool:
     return one_facing(linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere)
 
 
-def observability(linearised: Linearised, *, progress: Progress = no_progress) -> Observability:
-    """How well lines and targets see the three angles."""
-    information = linearised.normal.information(3)
+def observability(
+    linearised: Linearised,
+    *,
+    raised: Array | None = None,
+    origins: Array | None = None,
+    progress: Progress = no_progress,
+) -> Observability:
+    """How well lines and targets see the three angles.
+
+    Parameters
+    ----------
+    raised : ndarray of shape (3,), optional
+        Factors by which the sigmas of the angles are raised.
+    origins : ndarray of shape (targets, 3), metres, local, optional
+        Where the targets are.
+    """
+    factors = np.ones(3) if raised is None else raised
+    information = linearised.normal.information(3) / np.outer(factors, factors)
     eigenvalues, directions = np.linalg.eigh(information)
     sigma = np.sqrt(np.diag(np.linalg.inv(information)))
     observations = linearised.problem.observations
@@ -208,12 +231,52 @@ def observability(linearised: Linearised, *, progress: Progress = no_progress) -
     for k, line in enumerate(observations.lines):
         progress(k / len(observations.lines))
         gone = np.array([sighting.line == line for sighting in observations.sightings])
-        without[line] = _sigma(linearised, gone)
+        own = _sigma(linearised, gone)
+        without[line] = None if own is None else factors * own
     sentences = [
         _weakest(eigenvalues, directions), *_seen_by(sigma, without), *_one_sided(linearised),
     ]  # fmt: skip
     condition = float(eigenvalues[2] / eigenvalues[0])
-    return Observability(eigenvalues, directions, condition, without, tuple(sentences))
+    unchecked = (
+        tuple(_unchecked(linearised, without, origins))
+        if linearised.problem.model.correlated
+        else ()
+    )
+    return Observability(eigenvalues, directions, condition, without, tuple(sentences), unchecked)
+
+
+def _unchecked(
+    linearised: Linearised, without: dict[str, Array | None], origins: Array | None
+) -> Iterator[Unchecked]:
+    """Lines, targets and sightings of which an error would not show in the others."""
+    observations = linearised.problem.observations
+    needed = [line for line, sigma in without.items() if sigma is None]
+    yield from (Unchecked("line", line=line) for line in needed)
+    targets = observations.targets
+    if len(targets) > 1:
+        for k, target in enumerate(targets):
+            sigma = sigmas_without(linearised, observations.target_of_sighting == k)
+            if sigma is None or sigma.max() > WORST_SIGMA:
+                yield Unchecked("target", target)
+        if origins is not None and (reach := _reach(linearised, origins)) < TOGETHER:
+            yield Unchecked("together", size=reach)
+    if needed or len(observations.sightings) > MOST_SIGHTINGS:
+        return
+    whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
+    for k, sighting in enumerate(observations.sightings):
+        own = sigmas_without(linearised, np.arange(len(observations.sightings)) == k)
+        if whole is None or own is None:
+            continue
+        carried = tuple(np.array(ANGLES)[own > CARRIED * whole].tolist())
+        if carried:
+            yield Unchecked("sighting", sighting.target, sighting.line, carried)
+
+
+def _reach(linearised: Linearised, origins: Array) -> float:
+    """Largest distance of two targets over their mean distance from the scanner."""
+    apart = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
+    points = linearised.problem.observations.points_lidar
+    return float(apart / np.linalg.norm(points, axis=1).mean())
 
 
 def _one_sided(linearised: Linearised) -> Sequence[str]:
@@ -266,9 +329,6 @@ def _weakest(eigenvalues: Array, directions: Array) -> str:
 
 def _seen_by(sigma: Array, without: dict[str, Array | None]) -> Sequence[str]:
     said = []
-    needed = [line for line, value in without.items() if value is None]
-    if needed:
-        said.append(f"Without {_listed(needed)} the angles would not be determined.")
     for k, angle in enumerate(ANGLES):
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
         lines = sorted((line for line in grown if grown[line] > MATTERS), key=lambda x: -grown[x])
@@ -280,7 +340,7 @@ def _seen_by(sigma: Array, without: dict[str, Array | None]) -> Sequence[str]:
                 f"{angle.capitalize()} is seen mainly by {_listed(lines)}: without {lines[0]} its "
                 f"sigma would be {then:.{places}f} instead of {now:.{places}f} deg."
             )
-        elif not needed:
+        elif len(grown) == len(without):
             said.append(f"{angle.capitalize()} hangs on no single line.")
     return said
 

@@ -1,7 +1,7 @@
 """What an adjustment gives back."""
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,6 +126,30 @@ class TargetResidual:
     noise: float = 1.0
 
 
+@dataclass(frozen=True)
+class Unchecked:
+    """What no other part of the data checks.
+
+    Attributes
+    ----------
+    kind : {"line", "target", "sighting", "together"}
+        A line or a target without which the angles are not determined, a sighting without which
+        some of them are known much worse, or targets that stand together as one.
+    target, line : str
+        Empty where it is not one.
+    angles : tuple of str
+        That hang on a sighting.
+    size : float
+        Of ``together``: the largest distance of two targets over their distance from the scanner.
+    """
+
+    kind: str
+    target: str = ""
+    line: str = ""
+    angles: tuple[str, ...] = ()
+    size: float = 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class Observability:
     """How well the geometry sees the boresight.
@@ -142,6 +166,8 @@ class Observability:
         Sigmas of roll, pitch, yaw if a line were left out; None where they could not be found.
     sentences : tuple of str
         The same in words.
+    unchecked : tuple of Unchecked
+        What an error of would not show.
     """
 
     eigenvalues: Array
@@ -149,6 +175,7 @@ class Observability:
     condition: float
     sigma_without_line: dict[str, Array | None]
     sentences: tuple[str, ...]
+    unchecked: tuple[Unchecked, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -275,6 +302,12 @@ class AdjustmentResult:
     offset : float or None, metres
         That of their offsets, where the data insist on another one; ``surface`` is that of the
         tilts then.
+    raised : ndarray of shape (3,), or None
+        Factors by which the sigmas of the angles were multiplied, because parts of the data scatter
+        by more than the model foresees; None where that is not known.
+    stated_times : tuple of float, seconds, or None
+        Correlation times of position and attitude that were stated, where the residuals asked for
+        the shorter ones of ``model``.
     """
 
     mounting: Mounting
@@ -301,6 +334,8 @@ class AdjustmentResult:
     contradictions: tuple[Contradiction, ...] = ()
     offset: float | None = None
     causes: tuple[tuple[CandidateCause, ...], ...] | None = None
+    raised: Array | None = None
+    stated_times: tuple[float, float] | None = None
 
     @property
     def surfaces(self) -> Array:
@@ -323,6 +358,17 @@ class AdjustmentResult:
     def prior_angles(self) -> Array:
         """The prior ones, shape (3,), radians."""
         return self.mounting.with_boresight(self.prior_boresight).plain.boresight
+
+    @property
+    def foreseen(self) -> "AdjustmentResult":
+        """The result with the sigmas that the model foresees: none of them raised."""
+        if self.raised is None:
+            return self
+        whole = np.ones(len(self.covariance_all))
+        whole[:3] = 1.0 / self.raised
+        return replace(
+            self, covariance_all=self.covariance_all * np.outer(whole, whole), raised=None
+        )
 
     @property
     def covariance(self) -> Array:

@@ -8,10 +8,14 @@ scatter as much as the model foresees where it holds (the variance of a differen
 of the variances, Hausman 1978), and by more where it does not. What is more is added, by the
 jackknife (Tukey 1958).
 
+Of targets that were picked, there are few: whole lines and whole targets are left out, and what is
+more is added only where chance does not explain it.
+
 A part is left out by taking its sums from Newton's equations at the solution: one solve a part.
 """
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -21,7 +25,6 @@ from lispac.adjustment.blas import one_thread
 from lispac.adjustment.normal import inverse
 from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.solved import Solved
 from lispac.errors import AdjustmentError
 from lispac.progress import Progress, no_progress
 
@@ -34,31 +37,100 @@ STRETCHES = 4
 """Parts of each line, of as many groups of points each."""
 FEWEST = 3
 """Parts below which nothing is said of their scatter."""
+CHANCE = 0.01
+"""Probability that chance alone raises a sigma."""
 LOOSE = 10.0
 """Metres and radians: sigma of a shape that no point may be left of."""
 
 
 def with_scatter(
-    result: AdjustmentResult, solved: Solved, *, progress: Progress = no_progress
+    result: AdjustmentResult, here: Linearised, origins: Array, *, progress: Progress = no_progress
 ) -> AdjustmentResult:
-    """The result with the sigmas of its angles raised by what parts of the data tell."""
-    more = unforeseen(solved, progress=progress)
-    factors = np.ones(len(result.covariance_all))
-    factors[:3] = np.sqrt(1.0 + more / np.diag(result.covariance))
-    return replace(result, covariance_all=result.covariance_all * np.outer(factors, factors))
+    """The result with the sigmas of its angles raised by what parts of the scene tell.
+
+    Parameters
+    ----------
+    here, origins : as in `lispac.adjustment.solved.Solved`
+    """
+    more = unforeseen(here, origins, progress=progress)
+    return raised(result, np.sqrt(1.0 + more / np.diag(result.covariance)))
 
 
-def unforeseen(solved: Solved, *, progress: Progress = no_progress) -> Array:
-    """Variance of the angles that the model does not foresee, shape (3,), square radians."""
-    here, more = solved.here, np.zeros(3)
+def raised(result: AdjustmentResult, factors: Array) -> AdjustmentResult:
+    """The result with the sigmas of its angles multiplied by factors (3,)."""
+    whole = np.ones(len(result.covariance_all))
+    whole[:3] = factors
+    return replace(
+        result,
+        covariance_all=result.covariance_all * np.outer(whole, whole),
+        raised=factors if result.raised is None else factors * result.raised,
+    )
+
+
+def unforeseen(here: Linearised, origins: Array, *, progress: Progress = no_progress) -> Array:
+    """Variance of the angles that the model does not foresee, shape (3,), square radians.
+
+    Parameters
+    ----------
+    here, origins : as in `lispac.adjustment.solved.Solved`
+    """
+    more = np.zeros(3)
     with one_thread():
         try:
             whole = _without(here, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return more  # without a whole to compare with, nothing is known
-        for parts in _kinds(here, solved.origins):
-            more += _beyond(here, whole, parts, progress)
+        for parts in _kinds(here, origins):
+            differences, foreseen = _differences(here, whole, parts, progress)
+            more += _beyond(differences, foreseen)
     return more
+
+
+def raised_by_parts(here: Linearised) -> Array:
+    """Factors of the sigmas of the angles, shape (3,), from leaving out lines and targets.
+
+    Each is 1 where chance explains how the answers without one line, or one target, scatter.
+
+    Parameters
+    ----------
+    here : Linearised
+        Of the correlated model, at its solution, with the tangent weights.
+    """
+    with one_thread():
+        try:
+            whole = _without(here, np.zeros(len(here.sums), dtype=bool))
+        except (AdjustmentError, np.linalg.LinAlgError):
+            return np.ones(3)
+        more = np.zeros(3)
+        for parts in _lines_and_targets(here):
+            differences, foreseen = _differences(here, whole, parts, no_progress)
+            more += _significant(differences, foreseen) * _beyond(differences, foreseen)
+    return np.asarray(np.sqrt(1.0 + more / whole[1]))
+
+
+def _lines_and_targets(here: Linearised) -> Iterator[list[Flags]]:
+    """Groups of points to leave out: whole lines, and whole targets."""
+    observations, sighting = here.problem.observations, here.problem.groups.sighting
+    target = observations.target_of_sighting[sighting]
+    line = np.array([observations.lines.index(s.line) for s in observations.sightings])[sighting]
+    yield [line == k for k in range(len(observations.lines))]
+    yield [target == k for k in range(len(observations.targets))]
+
+
+def _significant(differences: Array, foreseen: Array) -> NDArray[np.bool_]:
+    """Whether chance does not explain the scatter of each angle, shape (3,).
+
+    The sum of the squares over that of the variances has about a chi-square distribution, with as
+    many degrees of freedom as the parts are worth (Satterthwaite 1946), one less for their mean.
+    """
+    from scipy.special import chdtri
+
+    if len(differences) < FEWEST:
+        return np.zeros(3, dtype=bool)
+    total = foreseen.sum(axis=0)
+    worth = total**2 / np.maximum((foreseen**2).sum(axis=0), np.finfo(float).tiny)
+    freedom = np.maximum(worth - 1.0, 1.0)
+    return np.asarray((differences**2).sum(axis=0) > total * chdtri(freedom, CHANCE) / freedom)
 
 
 def _kinds(here: Linearised, origins: Array) -> Iterator[list[Flags]]:
@@ -79,23 +151,43 @@ def _kinds(here: Linearised, origins: Array) -> Iterator[list[Flags]]:
         yield [own & (stretch == part) for part in range(STRETCHES)]
 
 
-def _beyond(
+def _differences(
     here: Linearised, whole: tuple[Array, Array], parts: list[Flags], progress: Progress
-) -> Array:
-    """By how much parts scatter more than foreseen, shape (3,), square radians."""
+) -> tuple[Array, Array]:
+    """Answers without a part less that of the whole, and their variances, (parts, 3) each.
+
+    Parts that the answer hangs on are not among them: its sigma says so already.
+    """
     found = []
     for part in parts:
         progress(0.9, "Leaving out parts of the data")
-        try:
+        with suppress(AdjustmentError, np.linalg.LinAlgError):
             found.append(_without(here, part))
-        except (AdjustmentError, np.linalg.LinAlgError):
-            continue  # the answer hangs on this part: its sigma says so already
-    if len(found) < FEWEST:
-        return np.zeros(3)
-    differences = np.array([answer - whole[0] for answer, _ in found])
+    differences = np.array([answer - whole[0] for answer, _ in found]).reshape(-1, 3)
     foreseen = np.array([np.maximum(variance - whole[1], 0.0) for _, variance in found])
-    share = (len(found) - 1) / len(found)
+    return differences, foreseen.reshape(-1, 3)
+
+
+def _beyond(differences: Array, foreseen: Array) -> Array:
+    """By how much parts scatter more than foreseen, shape (3,), square radians."""
+    if len(differences) < FEWEST:
+        return np.zeros(3)
+    share = (len(differences) - 1) / len(differences)
     return np.asarray(share * np.maximum((differences**2 - foreseen).sum(axis=0), 0.0))
+
+
+def sigmas_without(here: Linearised, sightings: Flags) -> Array | None:
+    """Sigmas of the angles without some sightings, shape (3,), radians; None where there are none.
+
+    Parameters
+    ----------
+    sightings : ndarray of shape (sightings,), bool
+        Those left out.
+    """
+    try:
+        return np.asarray(np.sqrt(_without(here, sightings[here.problem.groups.sighting])[1]))
+    except (AdjustmentError, np.linalg.LinAlgError):
+        return None
 
 
 def _without(here: Linearised, part: Flags) -> tuple[Array, Array]:

@@ -134,6 +134,11 @@ def capitalised(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
+def one_of(kind: str, names: Sequence[str]) -> str:
+    """``line L1``, or ``any of the lines L1 and L2``."""
+    return f"{kind} {names[0]}" if len(names) == 1 else f"any of the {kind}s {listed(names)}"
+
+
 def listed(names: Sequence[str]) -> str:
     """Names as in a sentence: a, b and c."""
     *head, last = names

@@ -1,6 +1,7 @@
 """The least-squares adjustment of mounting and targets (thesis B.3)."""
 
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 
@@ -16,7 +17,7 @@ from lispac.adjustment.noise import astray, at_target, noise_factors
 from lispac.adjustment.observability import NAMES, require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.omitted import contradictions
-from lispac.adjustment.parameters import Estimate, Parameter
+from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.problem import RELEASED, Linearised, Problem
 from lispac.adjustment.result import AdjustmentResult, Component
 from lispac.adjustment.shapes import (
@@ -31,7 +32,7 @@ from lispac.adjustment.shown import amount, parameter, plain
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
-from lispac.errors import NotConverged, RankDeficient
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -44,6 +45,9 @@ COMPONENT_ROUNDS = 5
 
 RAISED = 1.05
 """Factor on a stated sigma below which raising it would change nothing worth telling."""
+
+SHORTER = (0.3, 0.1, 0.03)
+"""Factors on the correlation times that are tried where the residuals are too large."""
 
 MOST_RELEASED = 3
 """No more than one sighting in so many is let go of."""
@@ -59,6 +63,7 @@ def adjust(
     components: bool = False,
     accept_one_facing: bool = False,
     diagnostics: bool = True,
+    test_model: bool = True,
     progress: Progress = no_progress,
 ) -> AdjustmentResult:
     """Find the boresight that makes each target's points, over all lines, one surface.
@@ -82,6 +87,10 @@ def adjust(
         Whether to answer where all targets are planes that face one way.
     diagnostics : bool
         Whether to work out observability and reliability too.
+    test_model : bool
+        Whether, with diagnostics, the model of the errors follows the data where these contradict
+        it: shorter correlation times where the chi-square test asks for them, and sigmas raised
+        where answers without single lines or targets scatter too much (`raised_by_parts`).
 
     Raises
     ------
@@ -93,17 +102,70 @@ def adjust(
     """
     started = time.perf_counter()
     observations.require_usable()
+
+    def adjusted(
+        model: StochasticModel, parameters: tuple[Parameter, ...] = parameters,
+        some: Observations = observations, *, diagnostics: bool,
+    ) -> AdjustmentResult:  # fmt: skip
+        return _adjusted(
+            some, mounting, model, parameters, shapes, components, accept_one_facing, diagnostics,
+            test_model, progress, started,
+        )  # fmt: skip
+
     try:
         with one_thread():
-            return _adjusted(
-                observations, mounting, model, parameters, shapes, components,
-                accept_one_facing, diagnostics, progress, started,
-            )  # fmt: skip
+            found = adjusted(model, diagnostics=diagnostics)
+            if not (diagnostics and test_model and model.correlated and _is_rejected(found)):
+                return found
+            if _is_explained(found, observations, parameters, adjusted):
+                return found
+            for factor in SHORTER:
+                shorter = replace(
+                    model, position_time=factor * model.position_time,
+                    attitude_time=factor * model.attitude_time,
+                )  # fmt: skip
+                with suppress(AdjustmentError, np.linalg.LinAlgError):
+                    if not _is_rejected(adjusted(shorter, diagnostics=False)):
+                        stated = model.position_time, model.attitude_time
+                        return replace(adjusted(shorter, diagnostics=True), stated_times=stated)
+            return found
     except np.linalg.LinAlgError as error:
         raise NotConverged(
             "The adjustment ran away from any answer; check that each target is the same surface "
             "on every line, and the prior boresight."
         ) from error
+
+
+def _is_rejected(result: AdjustmentResult) -> bool:
+    """Whether the residuals are too large for the model, by the chi-square test."""
+    return result.degrees_of_freedom > 0 and result.chi_square.statistic > result.chi_square.upper
+
+
+def _is_explained(
+    found: AdjustmentResult,
+    observations: Observations,
+    parameters: tuple[Parameter, ...],
+    adjusted: Callable[..., AdjustmentResult],
+) -> bool:
+    """Whether the residuals pass the test without the error that the result names as their cause.
+
+    Correlation times as short as a second or two explain nearly everything, a late line as well.
+    """
+    causes = [group[0] for group in found.causes or () if len(group) == 1]
+    values = [Parameter(each.kind) for each in causes if each.kind in SWITCHED]
+    lines = {each.line for each in causes if each.kind not in SWITCHED and not each.target}
+    places = {(each.target, each.line) for each in causes if each.target}
+    if not causes:
+        return False
+    kept = np.array(
+        [s.line not in lines and (s.target, s.line) not in places for s in observations.sightings]
+    )
+    with suppress(AdjustmentError, np.linalg.LinAlgError):
+        without = adjusted(
+            found.model, (*parameters, *values), observations.of_sightings(kept), diagnostics=False
+        )
+        return not _is_rejected(without)
+    return False
 
 
 def _adjusted(
@@ -115,6 +177,7 @@ def _adjusted(
     components: bool,
     accept_one_facing: bool,
     diagnostics: bool,
+    test_model: bool,
     progress: Progress,
     started: float,
 ) -> AdjustmentResult:
@@ -157,7 +220,7 @@ def _adjusted(
     return summary(
         solution.linearised, solution.state, fitted, origins,
         path=solution.path, held=held, components=found, diagnostics=diagnostics,
-        started=started,
+        raise_sigmas=test_model, started=started,
     )  # fmt: skip
 
 

@@ -20,6 +20,7 @@ from lispac.adjustment.result import (
     SightingResidual,
     TargetResidual,
 )
+from lispac.adjustment.scatter import raised, raised_by_parts
 from lispac.adjustment.shapes import counted_from
 from lispac.adjustment.sums import State
 from lispac.survey.georeferencing import CALIBRATION
@@ -37,6 +38,7 @@ def summary(
     held: tuple[Estimate, ...],
     components: tuple[Component, ...],
     diagnostics: bool,
+    raise_sigmas: bool,
     started: float,
 ) -> AdjustmentResult:
     """Gather what the adjustment found.
@@ -73,7 +75,10 @@ def summary(
     shown = [0, 1, 2, *(CALIBRATION.index(e.name) for e in estimates if e.value is not None)]
     places = np.searchsorted(layout.active, sorted(shown))
     correlated = problem.model.correlated
-    return AdjustmentResult(
+    factors = None
+    if diagnostics and raise_sigmas and correlated:
+        factors = raised_by_parts(problem.linearised(state, linearised.loss, tangent=True))
+    found = AdjustmentResult(
         mounting=state.mounting,
         prior_boresight=np.array(problem.prior.boresight, dtype=float),
         estimated=tuple(CALIBRATION[k] for k in sorted(shown)),
@@ -91,7 +96,9 @@ def summary(
         rms_after=rms[1],
         surface=float(problem.usual_surface[0]) if layout.surfaces else 0.0,
         offset=float(problem.usual_surface[2]) if problem.has_own_offsets else None,
-        observability=observability(linearised) if diagnostics else None,
+        observability=observability(linearised, raised=factors, origins=origins)
+        if diagnostics
+        else None,
         reliability=(
             reliability(linearised) if diagnostics and correlated and layout.surfaces else ()
         ),
@@ -101,6 +108,7 @@ def summary(
         contradictions=contradictions(linearised) if diagnostics and correlated else (),
         causes=candidate_causes(linearised) if diagnostics else (),
     )
+    return found if factors is None else raised(found, factors)
 
 
 def _statistic(linearised: Linearised, state: State, residuals: Array) -> float:

@@ -192,6 +192,7 @@ class Cautioning(QObject):
             "boresight_deg": (DATA, data.boresight.fields[0]),
             "pos_errors": (ADJUST, adjust.chosen_model),
             "surface": (ADJUST, adjust.model.surface),
+            "position_time": (ADJUST, adjust.model.position_time),
         }[cause.name]
         self._open_step(step)
         _focus(field)

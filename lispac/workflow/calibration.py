@@ -1,5 +1,7 @@
 """From picked targets to the boresight."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from time import perf_counter
 
@@ -10,8 +12,10 @@ from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.shown import plain
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
+from lispac.doubles import seen_once
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient
 from lispac.message_texts import message_text
 from lispac.messages import Level
@@ -60,7 +64,7 @@ def observations_of(
     Raises
     ------
     AdjustmentError
-        Where no target, or a target on one line only, is left.
+        Where no target is left that two lines have.
     RankDeficient
         Where there is one line only.
     """
@@ -71,16 +75,9 @@ def observations_of(
     radii = {}
     _require_two_lines(project)
     for target in project.of_role("target"):
-        used = target.used_sightings
-        if not target.used:
+        if not target.is_compared:  # a warning says so: see `lispac.doubles`
             continue
-        if len(used) < 2:
-            where = f"on line {used[0].line} only" if used else "on no line"
-            other = "tick" if len(target.sightings) > len(used) else "seed it on"
-            raise AdjustmentError(
-                f"Target {target.name} is used {where}, so nothing compares it; {other} another "
-                "line or leave the target out."
-            )
+        used = target.used_sightings
         if target.shape == "sphere":
             radii[target.name] = target.sphere_radius
         for sighting in used:
@@ -90,8 +87,12 @@ def observations_of(
             indices.append(chosen)
             sightings.append(Sighting(target.name, sighting.line))
     if not sightings:
+        alone = [each.name for each in project.of_role("target") if each.used_sightings]
         raise AdjustmentError(
-            f"{project.name}: there is no target to adjust; pick planar targets first."
+            f"No target is used on two lines, so nothing compares them ({', '.join(alone)}); seed "
+            "each on other lines too."
+            if alone
+            else f"{project.name}: there is no target to adjust; pick planar targets first."
         )
     taken = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
     points = np.concatenate([points for points, _ in taken])
@@ -209,22 +210,25 @@ def estimate(
         project = project.with_settings(settings)
     project = project.with_data_messages(survey.messages)
     started = perf_counter()
-    try:
-        selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
-        solved = solve(
-            project, selected, survey, cross_check=cross_check, progress=part(progress, 0.7, 1.0)
-        )
-    except (NotConverged, RankDeficient) as error:
-        raise type(error)(" ".join([str(error), *_data_warnings(project)])) from None
+    selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
+    solved = solve(
+        project, selected, survey, cross_check=cross_check, progress=part(progress, 0.7, 1.0)
+    )
     assert solved.result is not None
     result = replace(solved.result, elapsed=perf_counter() - started)
     return replace(solved, result=result)
 
 
-def _data_warnings(project: Project) -> list[str]:
-    """What is wrong with the data of an adjustment that has no answer, in sentences."""
-    warnings = [each for each in project.data_messages if each.level is Level.WARNING]
-    return [message_text(each) for each in warnings[:MOST_WARNINGS]]
+@contextmanager
+def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
+    """Names what may be behind an adjustment that has no answer, after the reason that it gives."""
+    try:
+        yield
+    except (NotConverged, RankDeficient) as error:
+        warnings = [each for each in survey.messages if each.level is Level.WARNING]
+        alone = [plain(doubt.text) for doubt in seen_once(project.targets)]
+        more = [*alone, *(message_text(each) for each in warnings[:MOST_WARNINGS])]
+        raise type(error)(" ".join([str(error), *more])) from None
 
 
 def select(
@@ -255,11 +259,12 @@ def select(
         step(0.0, f"Selecting the points again, round {k + 1} of {rounds}")
         # Points of another surface among the picks would be taken for POS errors by the correlated
         # model; this one leaves them to stand out.
-        thinned = observations_of(selected, survey, settings=coarse)
-        result = adjust(
-            thinned, prior, judged,
-            accept_one_facing=settings.accept_one_facing, diagnostics=False,
-        )  # fmt: skip
+        with _with_reasons(project, survey):
+            thinned = observations_of(selected, survey, settings=coarse)
+            result = adjust(
+                thinned, prior, judged,
+                accept_one_facing=settings.accept_one_facing, diagnostics=False,
+            )  # fmt: skip
         moved = np.abs(result.boresight - angles)
         if k > 0 and (moved < SETTLED * result.sigma).all():
             break
@@ -283,16 +288,17 @@ def solve(
     ``advise`` nothing is said of a further line; that, and the cross-checks, `check` brings after.
     """
     settings, prior = project.settings, project.mounting("prior")
-    observations = _chosen(project, selected, survey)
-    result = adjust(
-        observations,
-        prior,
-        settings.stochastic_model,
-        parameters=settings.parameters,
-        components=settings.variance_components,
-        accept_one_facing=settings.accept_one_facing,
-        progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
-    )
+    with _with_reasons(project, survey):
+        observations = _chosen(project, selected, survey)
+        result = adjust(
+            observations,
+            prior,
+            settings.stochastic_model,
+            parameters=settings.parameters,
+            components=settings.variance_components,
+            accept_one_facing=settings.accept_one_facing,
+            progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
+        )
     solved = project.with_result(_advised(result, observations) if advise else result)
     return _checked(solved, observations, part(progress, 0.4, 1.0)) if cross_check else solved
 

@@ -190,6 +190,7 @@ def targetless(
         parameters=settings.parameters,
         components=settings.variance_components,
         accept_one_facing=settings.accept_one_facing,
+        test_model=False,  # places of the scene and stretches of lines tell it better
         progress=part(progress, 0.5, 0.9),
     )
     solved = Solved.of(
@@ -201,7 +202,7 @@ def targetless(
     )
     told, shifted = result, tuple[str, ...]()
     if solved is not None:
-        told = with_scatter(result, solved, progress=part(progress, 0.95, 1.0))
+        told = with_scatter(result, solved.here, solved.origins, progress=part(progress, 0.95, 1.0))
         shifted = Scores.of(solved.here).shifted()
     raised = float((told.sigma / result.sigma).max())
     answer = replace(picked, result=replace(told, elapsed=perf_counter() - started))

@@ -299,8 +299,9 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     first = estimated.lines[0].name
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
-    assert f"Target T1 is used on line {first} only" in refusal.text()
-    assert "T1 is used" in driver.window.task_bar.currentMessage()
+    assert "T2 is the only target" in refusal.text()
+    assert f"no part, since nothing compares them: T1 on line {first}" in refusal.text()
+    assert "T2 is the only target" in driver.window.task_bar.currentMessage()
     assert sentence(driver, 2) == "not estimated"
     assert driver.dialogs.errors == []
     assert driver.project.result is None

@@ -16,6 +16,10 @@
         <translation>Aucun point de la cible {target} ne s&apos;accorde avec les autres cibles et lignes ; choisissez-la de nouveau ou écartez-la.</translation>
     </message>
     <message>
+        <source>No target is used on two lines, so nothing compares them ({names:kept}); seed each on other lines too.</source>
+        <translation>Aucune cible n&apos;est utilisée sur deux lignes, rien ne les compare donc ({names}) ; placez chacune aussi sur d&apos;autres lignes.</translation>
+    </message>
+    <message>
         <source>These points do not determine boresight and targets; add targets or lines.</source>
         <translation>Ces points ne déterminent pas les angles de visée et les cibles ; ajoutez des cibles ou des lignes.</translation>
     </message>
@@ -3749,10 +3753,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>placez son germe sur</translation>
     </message>
     <message>
-        <source>Target {name:kept} is used {where}, so nothing compares it; {other} another line or leave the target out.</source>
-        <translation>La cible {name} est employée {where}, rien ne la compare donc ; {other} une autre ligne ou écartez la cible.</translation>
-    </message>
-    <message>
         <source>{name:kept}: there is no target to adjust; pick planar targets first.</source>
         <translation>{name} : il n&apos;y a pas de cible à compenser ; désignez d&apos;abord des cibles planes.</translation>
     </message>
@@ -4923,10 +4923,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>name</source>
         <translation>nom</translation>
-    </message>
-    <message>
-        <source>Target {name:kept} is used on no line, so nothing compares it; {other} another line or leave the target out.</source>
-        <translation>La cible {name} n&apos;est employée sur aucune ligne, rien ne la compare donc ; {other} une autre ligne ou écartez la cible.</translation>
     </message>
     <message>
         <source>coordinates in the local frame</source>

@@ -1092,10 +1092,6 @@ vert. (°)</translation>
         <translation>{a} combiné au {b} et au {c}</translation>
     </message>
     <message>
-        <source>Without {lines} the angles would not be determined.</source>
-        <translation>Sans {lines}, les angles ne seraient pas déterminés.</translation>
-    </message>
-    <message>
         <source>Roll is seen mainly by {lines}: without {line:name} its sigma would be {then:n} instead of {now:n} deg.</source>
         <translation>Le roulis est vu surtout par {lines} : sans {line}, son écart-type serait de {then}° au lieu de {now}°.</translation>
     </message>
@@ -2389,8 +2385,52 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>{part} ({angle} {difference}°, {sigmas} fois son écart-type)</translation>
     </message>
     <message>
-        <source>The answers without one line each spread {times:n} times as widely in {angle} as its sigma says: rely on {spread:n} deg (1 sigma) rather than on {sigma:n} deg.</source>
-        <translation>Les réponses sans une ligne sont {times} fois plus dispersées en {angle} que ne le dit son écart-type : fiez-vous à {spread}° (1 sigma) plutôt qu&apos;à {sigma}°.</translation>
+        <source>With the stated correlation times of the POS errors ({a:n} s for position, {b:n} s for attitude) the residuals are too large for the chi-square test. With {c:n} s and {d:n} s they pass it, and the sigmas are those of these times.</source>
+        <translation>Avec les temps de corrélation indiqués des erreurs du POS ({a} s pour la position, {b} s pour l&apos;attitude), les résidus sont trop grands pour le test du khi-deux. Avec {c} s et {d} s, ils le passent, et les écarts-types correspondent à ces temps.</translation>
+    </message>
+    <message>
+        <source>{target:name} on line {line:name} ({angles:list})</source>
+        <translation>{target} sur la ligne {line} ({angles})</translation>
+    </message>
+    <message>
+        <source>Carried by one sighting, of which an error does not show: {carried:list}. Add targets or lines.</source>
+        <translation>Porté par une seule visée, dont une erreur n&apos;apparaît pas : {carried}. Ajoutez des cibles ou des lignes.</translation>
+    </message>
+    <message>
+        <source>The targets stand within {n:n} % of their distance from the scanner and act as one: an error of a line does not show. Add targets at other places.</source>
+        <translation>Les cibles se tiennent à moins de {n} % de leur distance au scanneur et agissent comme une seule : une erreur d&apos;une ligne n&apos;apparaît pas. Ajoutez des cibles à d&apos;autres endroits.</translation>
+    </message>
+    <message>
+        <source>any of the targets {targets:list}</source>
+        <translation>l&apos;une des cibles {targets}</translation>
+    </message>
+    <message>
+        <source>target {target:name}</source>
+        <translation>la cible {target}</translation>
+    </message>
+    <message>
+        <source>any of the lines {lines:list}</source>
+        <translation>l&apos;une des lignes {lines}</translation>
+    </message>
+    <message>
+        <source>Without {what} the angles are not determined, so an error of it does not show. Add targets.</source>
+        <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des cibles.</translation>
+    </message>
+    <message>
+        <source>Without {what} the angles are not determined, so an error of it does not show. Add lines.</source>
+        <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des lignes.</translation>
+    </message>
+    <message>
+        <source>The answers without single lines or targets scatter by more than the model of errors foresees. The sigmas are raised for it: {raised:list}.</source>
+        <translation>Les solutions sans certaines lignes ou cibles se dispersent plus que ne le prévoit le modèle d&apos;erreurs. Les écarts-types sont agrandis en conséquence : {raised}.</translation>
+    </message>
+    <message>
+        <source>{angle} from {before:n} to {after:n} deg</source>
+        <translation>{angle} de {before} à {after} deg</translation>
+    </message>
+    <message>
+        <source>Targets on one line only take no part, since nothing compares them: {targets:list}. Seed them on other lines, or leave them out.</source>
+        <translation>Les cibles vues sur une seule ligne n&apos;interviennent pas, rien ne les comparant : {targets}. Placez-les sur d&apos;autres lignes ou écartez-les.</translation>
     </message>
     <message>
         <source>Targets have points in common: {pairs:list}. These points count twice, and the sigmas of the angles come out too small; leave one of the two out.</source>

@@ -1,0 +1,174 @@
+"""Do the stated sigmas hold where the model of errors does not? Many surveys with known truth.
+
+    python -m tests.coverage_of_errors [SURVEYS]
+
+prints a row a kind of error: the share of 95 % intervals that hold, for each angle, with the sigmas
+that the model foresees and as they are stated; the share of surveys with a serious warning; and the
+share of intervals that hold in the surveys without one.
+"""
+
+import sys
+from collections import Counter
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.doubts import doubts
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.solver import adjust
+from lispac.geometry.rotations import rotation_matrix
+from lispac.project import Settings
+from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+
+TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+PRIOR = TRUTH.with_boresight(np.zeros(3))
+RAW = 0.03
+MODEL = Settings(lever_arm=(0.0, 0.0, 0.0)).stochastic_model
+TARGETS = (
+    *BOARDS,
+    Board("T5", (4.0, 15.0, 3.0), (1.0, -2.0, 0.5)),
+    Board("T6", (-5.0, 14.0, 7.0), (-1.0, -2.0, -0.5)),
+)
+Change = Callable[[Observations, np.random.Generator], Observations]
+
+
+def _along_beams(data: Observations, off: np.ndarray) -> Observations:
+    """Points moved along their beams by ``off`` (n,), metres."""
+    beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
+    return replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
+
+
+def _of_line(data: Observations, chance: np.random.Generator) -> np.ndarray:
+    line = data.lines[chance.integers(len(data.lines))]
+    return np.array([each.line == line for each in data.sightings])[data.sighting]
+
+
+def curved(data: Observations, chance: np.random.Generator) -> Observations:
+    """Boards bent by up to 10 mm, of which each line sees another part best."""
+    off = np.zeros(len(data))
+    for target in range(len(data.targets)):
+        own = data.target_of_sighting[data.sighting] == target
+        height = data.points_lidar[own, 2]
+        place = (height - height.mean()) / np.ptp(height)
+        off[own] = chance.normal(0, 0.01) * (4 * place**2 - 1)
+    return _along_beams(data, off)
+
+
+def rough(data: Observations, chance: np.random.Generator) -> Observations:
+    """Surfaces that lie 4 mm (1 sigma) elsewhere on every line: grass, cloth."""
+    return _along_beams(data, chance.normal(0, 0.004, len(data.sightings))[data.sighting])
+
+
+def heavy_tails(data: Observations, chance: np.random.Generator) -> Observations:
+    """Ranges with errors of Student's t with 3 degrees of freedom, and 1 % off by decimetres."""
+    off = 0.004 * chance.standard_t(3, len(data))
+    off += (chance.random(len(data)) < 0.01) * chance.normal(0, 0.2, len(data))
+    return _along_beams(data, off)
+
+
+def biased_line(data: Observations, chance: np.random.Generator) -> Observations:
+    """The positions on one line off by 5 cm."""
+    shift = chance.normal(size=3)
+    shift *= 0.05 / np.linalg.norm(shift)
+    return replace(data, position=data.position + _of_line(data, chance)[:, None] * shift)
+
+
+def turned_line(data: Observations, chance: np.random.Generator) -> Observations:
+    """The attitude on one line off by 0.05 deg."""
+    turn = chance.normal(size=3)
+    turn *= np.radians(0.05) / np.linalg.norm(turn)
+    points = data.points_lidar @ rotation_matrix(*turn).T
+    own = _of_line(data, chance)[:, None]
+    return replace(data, points_lidar=np.where(own, points, data.points_lidar))
+
+
+KINDS: dict[str, Change | None] = {
+    "none": None, "curved": curved, "rough": rough, "POS time / 10": None, "POS time x 10": None,
+    "heavy tails": heavy_tails, "biased line": biased_line, "turned line": turned_line,
+    "lever arm 2 cm": None,
+}  # fmt: skip
+
+
+def survey(kind: str, seed: int) -> Observations:
+    """The observations of a survey with one kind of error."""
+    generator, chance = np.random.default_rng([34, seed]), np.random.default_rng([35, seed])
+    pos, mounting = HYDROGRAPHIC_INS, TRUTH
+    if kind.startswith("POS time"):
+        factor = 0.1 if kind.endswith("/ 10") else 10.0
+        times = factor * MODEL.position_time, factor * MODEL.attitude_time
+        pos = replace(pos, time_position=times[0], time_attitude=times[1])
+    if kind == "lever arm 2 cm":
+        off = chance.normal(size=3)
+        mounting = replace(TRUTH, lever_arm=TRUTH.lever_arm + 0.02 * off / np.linalg.norm(off))
+    exact = exact_survey(mounting, TARGETS, six_courses(), RAW, generator, pos=pos)
+    data = observed(exact, pos, generator)
+    change = KINDS[kind]
+    data = data if change is None else change(data, chance)
+    return averaged(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """Error and sigmas of one survey, degrees, and the codes of its serious warnings."""
+
+    error: np.ndarray
+    sigma: np.ndarray
+    foreseen: np.ndarray
+    serious: tuple[str, ...]
+
+
+def answer(kind: str, seed: int) -> Answer:
+    result = adjust(survey(kind, seed), PRIOR, MODEL)
+    return Answer(
+        np.degrees(result.boresight - TRUTH.boresight),
+        np.degrees(result.sigma),
+        np.degrees(result.foreseen.sigma),
+        tuple(doubt.code for doubt in doubts(result, None) if doubt.serious),
+    )
+
+
+def study(kind: str, surveys: int, workers: int = 2) -> list[Answer]:
+    if workers == 1:
+        return [answer(kind, seed) for seed in range(surveys)]
+    with ProcessPoolExecutor(workers) as pool:
+        return list(pool.map(answer, [kind] * surveys, range(surveys), chunksize=4))
+
+
+def hits(answers: list[Answer], which: str = "sigma") -> np.ndarray:
+    """Share of the 95 % intervals that hold, shape (3,)."""
+    if not answers:
+        return np.full(3, np.nan)
+    return np.mean([np.abs(a.error) < 1.96 * getattr(a, which) for a in answers], axis=0)
+
+
+def row(kind: str, answers: list[Answer]) -> str:
+    """One row of the table."""
+    calm = [each for each in answers if not each.serious]
+
+    def cells(values: np.ndarray) -> str:
+        return " ".join(f"{100 * value:5.1f}" for value in values)
+
+    raised = np.mean([each.sigma > 1.05 * each.foreseen for each in answers], axis=0)
+    codes = Counter(code for each in answers for code in each.serious)
+    return (
+        f"{kind:16s} {cells(hits(answers, 'foreseen'))}   {cells(hits(answers))}   {cells(raised)}"
+        f"   {100 * (1 - len(calm) / len(answers)):5.1f}   {cells(hits(calm))}   {dict(codes)}"
+    )
+
+
+def main() -> None:
+    """Print the whole study."""
+    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
+    print(f"{surveys} surveys a row; roll, pitch, yaw; per cent")
+    print(f"{'error':16s} {'foreseen':18s}  {'stated':18s}  {'raised':18s} serious  without one")
+    for kind in KINDS:
+        print(row(kind, study(kind, surveys)), flush=True)
+
+
+if __name__ == "__main__":
+    main()
