@@ -204,11 +204,20 @@ def test_errors_that_are_said_to_be_raised_exist(room: str) -> None:
 
 
 OWN = {
-    "adjustment": {"iteration", "problem", "solved", "summary", "turns"},
+    "adjustment": {"iteration", "problem", "solved", "sphere_radii", "summary", "turns"},
     "design": {"advice", "monte_carlo", "prediction", "site"},
     "geometry": {"neighbours"},
     "simulation": {"casting", "pos_error_models", "scene", "vessel"},
-    "survey": {"axes", "correction", "present", "recovery", "recovery_check", "runs", "scan"},
+    "survey": {
+        "axes",
+        "correction",
+        "present",
+        "recovery",
+        "recovery_check",
+        "runs",
+        "scan",
+        "words",
+    },
     "targets": {"across_lines", "outline", "quality", "section", "shift", "smear"},
     "validation": {"absolute", "footprint", "layers", "place_widths", "plane_offset"},
 }

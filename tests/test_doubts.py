@@ -12,7 +12,7 @@ from lispac.adjustment.critical import rarely_more
 from lispac.adjustment.doubt import MOST_NAMED, some
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import Contradiction, Unchecked
+from lispac.adjustment.result import Contradiction, Unchecked, UnlikeRadii
 from lispac.adjustment.scatter import raised
 from lispac.adjustment.shown import listed
 from lispac.adjustment.stochastic import StochasticModel
@@ -60,6 +60,15 @@ def _unchecked(
         )
         seen = replace(project.result.observability, unchecked=found)
         return replace(project, result=replace(project.result, observability=seen))
+
+    return change
+
+
+def _radii(cause: str, value: float = 0.0) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        found = (UnlikeRadii(project.targets[0].name, 0.17, 0.3, cause, value),)
+        return replace(project, result=replace(project.result, unlike_radii=found))
 
     return change
 
@@ -174,6 +183,10 @@ CASES = [
     ("targets_together", True, _unchecked("together", size=0.031), "within 3 % of"),
     ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
                                         angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
+    ("unlike_radii", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
+    ("unlike_radii", True, _radii("pitch_sign"), "They agree with the sign of pitch turned"),
+    ("unlike_radii", True, _radii("latency", -0.02), "They agree with latency 20.00 ms smaller"),
+    ("unlike_radii", True, _radii("range_offset", 0.02), "range offset 0.0200 m larger"),
     ("shorter_times", False, _shorter, "(300 s for position, 600 s for attitude)"),
     ("sigmas_raised", False, _raised, "The sigmas are raised for it: pitch from 0.0291 to 0.0728"),
     ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 of its sigmas)"),

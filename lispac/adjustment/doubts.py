@@ -14,6 +14,7 @@ from lispac.adjustment.doubts_of_sightings import contradicted, noise, strays
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.shown import (
+    amount,
     capitalised,
     listed,
     mm,
@@ -240,6 +241,32 @@ def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doub
         )
 
 
+RADII_AGREE = {
+    "roll_sign": "with the sign of roll turned",
+    "pitch_sign": "with the sign of pitch turned",
+    "roll_pitch_signs": "with the signs of roll and pitch turned",
+}
+"""What makes radii agree, by the cause of `UnlikeRadii`, but for the values of the mounting."""
+
+
+def _radii(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    for each in result.unlike_radii:
+        said = (
+            f"The radius of {each.target} differs from line to line, from {mm(each.smallest)} to "
+            f"{mm(each.largest)}\u00a0mm"
+        )
+        if not each.cause:
+            so = "Check the attitude signs, the latency and the points of the target."
+            text = f"{said}, and no single error explains it. {so}"
+        elif each.cause in RADII_AGREE:
+            text = f"{said}. They agree {RADII_AGREE[each.cause]}: check how the file counts it."
+        else:
+            larger = "larger" if each.value > 0 else "smaller"
+            value = f"{parameter(each.cause)} {amount(each.cause, abs(each.value))} {larger}"
+            text = f"{said}. They agree with {value}: measure it again."
+        yield Doubt("unlike_radii", True, text, Cause.of_target(each.target))
+
+
 def _shorter_times(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
     if result.stated_times is not None:
         position, attitude = result.stated_times
@@ -289,6 +316,7 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], 
     noise,
     _parts,
     _unchecked,
+    _radii,
     _shorter_times,
     _raised,
 )

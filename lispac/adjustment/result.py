@@ -127,6 +127,28 @@ class TargetResidual:
 
 
 @dataclass(frozen=True)
+class UnlikeRadii:
+    """A ball whose radius differs from line to line by more than the noise explains.
+
+    Attributes
+    ----------
+    target : str
+    smallest, largest : float, metres
+    cause : str
+        With what changed the radii agree: ``roll_sign``, ``pitch_sign``, ``roll_pitch_signs``,
+        ``latency`` or ``range_offset``; empty where nothing of that does.
+    value : float, seconds or metres
+        What has to be added to the latency or the range offset.
+    """
+
+    target: str
+    smallest: float
+    largest: float
+    cause: str = ""
+    value: float = 0.0
+
+
+@dataclass(frozen=True)
 class Unchecked:
     """What no other part of the data checks.
 
@@ -308,6 +330,8 @@ class AdjustmentResult:
     stated_times : tuple of float, seconds, or None
         Correlation times of position and attitude that were stated, where the residuals asked for
         the shorter ones of ``model``.
+    unlike_radii : tuple of UnlikeRadii
+        Of the balls.
     """
 
     mounting: Mounting
@@ -336,6 +360,7 @@ class AdjustmentResult:
     causes: tuple[tuple[CandidateCause, ...], ...] | None = None
     raised: Array | None = None
     stated_times: tuple[float, float] | None = None
+    unlike_radii: tuple[UnlikeRadii, ...] = ()
 
     @property
     def surfaces(self) -> Array:

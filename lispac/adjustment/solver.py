@@ -29,6 +29,7 @@ from lispac.adjustment.shapes import (
     usual_radii,
 )
 from lispac.adjustment.shown import amount, parameter, plain
+from lispac.adjustment.sphere_radii import unlike_radii
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
@@ -115,6 +116,9 @@ def adjust(
     try:
         with one_thread():
             found = adjusted(model, diagnostics=diagnostics)
+            if diagnostics:
+                radii = unlike_radii(observations, found.mounting)
+                found = replace(found, unlike_radii=radii)
             if not (diagnostics and test_model and model.correlated and _is_rejected(found)):
                 return found
             if _is_explained(found, observations, parameters, adjusted):
@@ -127,7 +131,11 @@ def adjust(
                 with suppress(AdjustmentError, np.linalg.LinAlgError):
                     if not _is_rejected(adjusted(shorter, diagnostics=False)):
                         stated = model.position_time, model.attitude_time
-                        return replace(adjusted(shorter, diagnostics=True), stated_times=stated)
+                        return replace(
+                            adjusted(shorter, diagnostics=True),
+                            stated_times=stated,
+                            unlike_radii=radii,
+                        )
             return found
     except np.linalg.LinAlgError as error:
         raise NotConverged(

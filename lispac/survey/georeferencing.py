@@ -44,7 +44,12 @@ AXES = tuple(
 
 
 def is_steep(boresight: Array) -> bool:
-    """Whether roll, pitch, yaw (3,), radians, have a pitch at which roll and yaw are one turn."""
+    """Whether the pitch is so near 90 deg that roll and yaw are told apart badly.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians; roll, pitch, yaw
+    """
     return bool(abs(np.sin(boresight[1])) >= np.sin(STEEPEST_PITCH))
 
 

@@ -2421,6 +2421,38 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des lignes.</translation>
     </message>
     <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm, and no single error explains it. Check the attitude signs, the latency and the points of the target.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm, et aucune erreur isolée ne l&apos;explique. Vérifiez les signes de l&apos;attitude, la latence et les points de la cible.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the sign of roll turned: check how the file counts it.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant le signe du roulis : vérifiez comment le fichier les compte.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the sign of pitch turned: check how the file counts it.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant le signe du tangage : vérifiez comment le fichier les compte.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the signs of roll and pitch turned: check how the file counts it.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant les signes du roulis et du tangage : vérifiez comment le fichier les compte.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with latency {v:n} ms larger: measure it again.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent avec une latence de {v} ms de plus : mesurez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with range offset {v:n} m larger: measure it again.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent avec un décalage de distance de {v} m de plus : mesurez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with latency {v:n} ms smaller: measure it again.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent avec une latence de {v} ms de moins : mesurez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with range offset {v:n} m smaller: measure it again.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent avec un décalage de distance de {v} m de moins : mesurez-le de nouveau.</translation>
+    </message>
+    <message>
         <source>The answers without single lines or targets scatter by more than the model of errors foresees. The sigmas are raised for it: {raised:list}.</source>
         <translation>Les solutions sans certaines lignes ou cibles se dispersent plus que ne le prévoit le modèle d&apos;erreurs. Les écarts-types sont agrandis en conséquence : {raised}.</translation>
     </message>

@@ -1,0 +1,121 @@
+"""Whether a ball has the same radius on every line, and what else would make it so.
+
+A ball is passed within a second or two. What the vessel does in this time is in the shape of its
+points: a sign of the attitude, the latency or a range offset that is wrong makes it larger or
+smaller, and by another amount on every line. No target that is a plane shows that.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.result import UnlikeRadii
+from lispac.errors import SphereNotFound
+from lispac.geometry.spheres import fit_sphere
+from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+FEWEST = 20
+"""Points of a sighting that tell a radius."""
+CHANCE = 1e-3
+"""Probability that radii which agree seem to differ."""
+LEAST = 0.003
+"""Metres: differences below it are of no consequence."""
+LATENCIES = np.linspace(-0.3, 0.3, 61)
+"""Seconds that are tried."""
+RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
+"""Metres that are tried."""
+
+
+def unlike_radii(observations: Observations, mounting: Mounting) -> tuple[UnlikeRadii, ...]:
+    """Balls whose radii differ between lines by more than the noise explains.
+
+    Parameters
+    ----------
+    observations : Observations
+        With places in the local frame.
+    mounting : Mounting
+        As adjusted.
+    """
+    found = []
+    for k, target in enumerate(observations.targets):
+        if not observations.is_sphere[k]:
+            continue
+        own = observations.where(observations.target_of_sighting[observations.sighting] == k)
+        radii = _radii(own, mounting)
+        if radii is None or not _differ(*radii):
+            continue
+        names = [
+            (cause, value, other)
+            for cause, value, changed, way in _changes(own, mounting)
+            if (other := _radii(changed, way)) is not None
+        ]
+        best = min(names, key=lambda each: _misfit(*each[2]), default=None)
+        smallest, largest = float(radii[0].min()), float(radii[0].max())
+        if best is None or _differ(*best[2]):
+            found.append(UnlikeRadii(target, smallest, largest))
+        else:
+            found.append(UnlikeRadii(target, smallest, largest, best[0], best[1]))
+    return tuple(found)
+
+
+def _radii(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
+    """Radius of one ball on each line, and its sigma, both (lines,), metres; None below two."""
+    points = place(
+        observations.points_lidar, Poses(observations.position, observations.attitude), mounting
+    )
+    radii, sigmas = [], []
+    for s in range(len(observations.sightings)):
+        own = points[observations.sighting == s]
+        if len(own) < FEWEST:
+            continue
+        try:
+            sphere = fit_sphere(own)
+        except SphereNotFound:
+            continue
+        design = np.column_stack([sphere.directions(own), np.ones(len(own))])
+        residuals = sphere.distances(own)
+        variance = residuals @ residuals / (len(own) - 4)
+        radii.append(sphere.radius)
+        sigmas.append(np.sqrt(variance * np.linalg.inv(design.T @ design)[3, 3]))
+    return (np.array(radii), np.array(sigmas)) if len(radii) >= 2 else None
+
+
+def _misfit(radii: Array, sigmas: Array) -> float:
+    """Weighted sum of squares about the mean radius, no unit."""
+    weights = 1.0 / (sigmas**2 + LEAST**2)
+    mean = weights @ radii / weights.sum()
+    return float(weights @ (radii - mean) ** 2)
+
+
+def _differ(radii: Array, sigmas: Array) -> bool:
+    from scipy.special import chdtri
+
+    return _misfit(radii, sigmas) > chdtri(len(radii) - 1, CHANCE)
+
+
+def _changes(
+    observations: Observations, mounting: Mounting
+) -> Iterator[tuple[str, float, Observations, Mounting]]:
+    """Candidate causes with their value: observations and mounting without the error."""
+    for cause, signs in (
+        ("roll_sign", (-1, 1, 1)), ("pitch_sign", (1, -1, 1)), ("roll_pitch_signs", (-1, -1, 1)),
+    ):  # fmt: skip
+        turned = observations.attitude * np.array(signs)
+        yield cause, 0.0, replace(observations, attitude=turned), mounting
+    if observations.pose_rate is not None:
+        for late in LATENCIES:
+            off = late * observations.pose_rate
+            moved = replace(
+                observations, position=observations.position + off[:, :3],
+                attitude=observations.attitude + off[:, 3:],
+            )  # fmt: skip
+            yield "latency", float(late), moved, mounting
+    for more in RANGE_OFFSETS:
+        longer = replace(mounting, range_offset=mounting.range_offset + float(more))
+        yield "range_offset", float(more), observations, longer

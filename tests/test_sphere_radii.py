@@ -1,0 +1,69 @@
+"""Balls whose radius differs from line to line: the cause is found among what changes it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.doubts import doubts
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.sphere_radii import unlike_radii
+from lispac.adjustment.stochastic import StochasticModel
+from lispac.simulation.closed_form import Ball, exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.survey.georeferencing import Mounting
+
+TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
+BALLS = tuple(
+    Ball(f"S{k}", centre, 0.15, radius_known=False)
+    for k, centre in enumerate([(0.8, 15.0, 5.0), (-3.0, 12.0, 3.0), (4.0, 17.0, 6.0)])
+)
+
+
+def survey(seed: int, mounting: Mounting = TRUTH) -> Observations:
+    generator = np.random.default_rng([7, seed])
+    exact = exact_survey(mounting, BALLS, six_courses(), 0.01, generator)
+    return observed(exact, HYDROGRAPHIC_INS, generator)
+
+
+def changed(data: Observations, cause: str) -> Observations:
+    if cause in ("roll_sign", "pitch_sign"):
+        signs = np.array([-1, 1, 1] if cause == "roll_sign" else [1, -1, 1])
+        return replace(data, attitude=data.attitude * signs)
+    assert data.pose_rate is not None
+    late = -0.1 * data.pose_rate
+    return replace(data, position=data.position + late[:, :3], attitude=data.attitude + late[:, 3:])
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_radii_of_a_right_survey_agree(seed: int) -> None:
+    assert unlike_radii(survey(seed), TRUTH) == ()
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("cause", ["roll_sign", "pitch_sign"])
+def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
+    found = unlike_radii(changed(survey(seed), cause), TRUTH)
+    assert {each.cause for each in found} == {cause}
+    for each in found:
+        assert each.largest - each.smallest > 0.01
+
+
+def test_an_error_of_one_line_is_not_blamed_on_a_sign() -> None:
+    data = survey(0)
+    own = np.array([each.line == "L2" for each in data.sightings])[data.sighting]
+    points = np.where(own[:, None], data.points_lidar * [1.3, 1.0, 1.0], data.points_lidar)
+    found = unlike_radii(replace(data, points_lidar=points), TRUTH)
+    assert all(each.cause == "" for each in found)
+
+
+def test_the_result_of_an_adjustment_has_them() -> None:
+    data = averaged(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
+    result = adjust(data, TRUTH, StochasticModel(loss="tukey"))
+    assert {each.cause for each in result.unlike_radii} == {"pitch_sign"}
+    told = [each for each in doubts(result, None) if each.code == "unlike_radii"]
+    assert all(each.serious for each in told)
+    assert told
+    assert adjust(data, TRUTH, StochasticModel(), diagnostics=False).unlike_radii == ()
