@@ -43,7 +43,9 @@ def test_the_bound_is_the_error_of_interpolation(rate: float) -> None:
 
 @pytest.mark.parametrize(("rate", "warned"), [(200.0, False), (50.0, False), (10.0, True)])
 def test_a_rate_too_low_for_the_motion_is_a_warning(rate: float, warned: bool) -> None:
-    messages = interpolation_messages(trajectory(rate), ACCURACY, {"L1": (10.0, 30.0)})
+    messages = interpolation_messages(
+        trajectory(rate), ACCURACY, {"L1": np.linspace(10.0, 30.0, 500)}
+    )
     assert bool(messages) is warned
     for message in messages:
         assert (message.code, message.level) == ("trajectory.rate_too_low", Level.WARNING)
@@ -63,8 +65,11 @@ def test_the_rate_is_that_of_the_file_where_states_are_inserted() -> None:
         FRAME, dense.time, dense.states[:, :3], dense.states[:, 3:],
         curve_error=dense.error, parts=dense.parts,
     )  # fmt: skip
-    (message,) = interpolation_messages(track, ACCURACY, {"L1": (10.0, 30.0)})
+    (message,) = interpolation_messages(track, ACCURACY, {"L1": np.linspace(10.0, 30.0, 500)})
     assert message.params["rate"] == pytest.approx(2.0)
+
+
+LINES = {"L1": np.linspace(5.0, 25.0, 500), "L2": np.linspace(40.0, 55.0, 500)}
 
 
 def test_turns_between_the_lines_do_not_count() -> None:
@@ -73,5 +78,14 @@ def test_turns_between_the_lines_do_not_count() -> None:
     attitude[:, :2] = 0.0
     attitude[:, 2] = np.where(time < 30, 0.0, np.minimum(3.0, 0.5 * (time - 30) ** 2))
     track = LocalTrajectory(FRAME, time, position, attitude)
-    assert interpolation_messages(track, ACCURACY, {"L1": (5.0, 25.0), "L2": (40.0, 55.0)}) == ()
-    assert interpolation_messages(track, ACCURACY, {"turn": (29.0, 33.0)}) != ()
+    assert interpolation_messages(track, ACCURACY, LINES) == ()
+    assert interpolation_messages(track, ACCURACY, {"turn": np.linspace(29.0, 33.0, 500)}) != ()
+
+
+def test_intervals_without_points_do_not_count() -> None:
+    """A trajectory cut to the points: bursts 0.2 us apart, 0.4 s of waves between them."""
+    time = np.concatenate([0.4 * k + 2e-7 * np.arange(200) for k in range(100)])
+    position, attitude = states(time)
+    track = LocalTrajectory(FRAME, time, position, np.round(attitude, 7))
+    assert interpolation_messages(track, ACCURACY, {"L1": time + 1e-7}) == ()
+    assert interpolation_messages(track, ACCURACY, {"L1": np.arange(10.1, 20, 0.4)}) != ()

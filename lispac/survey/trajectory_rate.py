@@ -16,7 +16,7 @@ ALLOWED = 0.1
 WINDOW = 0.25
 """Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
 QUANTILE = 0.95
-"""Of the intervals of a line, for the error that is reported."""
+"""Of the points of a line, for the error that is reported."""
 
 
 def interpolation_error(trajectory: LocalTrajectory) -> Array:
@@ -54,14 +54,14 @@ def interpolation_error(trajectory: LocalTrajectory) -> Array:
 def interpolation_messages(
     trajectory: LocalTrajectory,
     accuracy: TrajectoryAccuracy,
-    spans: Mapping[str, tuple[float, float]],
+    times: Mapping[str, Array],
 ) -> tuple[Message, ...]:
     """Messages about lines during which the states are too far apart for the motion.
 
     Parameters
     ----------
-    spans : mapping of str to (float, float), seconds
-        First and last time of each line, by its name.
+    times : mapping of str to ndarray of shape (n,), seconds
+        Of some points of each line, by its name: intervals without points do not count.
     """
     if len(trajectory.time) < 3:
         return ()
@@ -69,11 +69,16 @@ def interpolation_messages(
     middle = 0.5 * (trajectory.time[:-1] + trajectory.time[1:])
     steps = np.diff(trajectory.time)
     found = []
-    for name, (start, end) in spans.items():
-        of_line = (middle >= start) & (middle <= end) & (steps <= trajectory.longest_gap)
-        if np.count_nonzero(of_line) < 2:
+    for name, own in times.items():
+        own = own[(own >= trajectory.time[0]) & (own < trajectory.time[-1])]
+        of_line = np.searchsorted(trajectory.time, own, side="right") - 1  # an interval a point
+        bridged = steps[of_line] <= trajectory.longest_gap
+        own, of_line = own[bridged], of_line[bridged]
+        if len(of_line) < 2:
             continue
-        error = np.quantile(errors[of_line], QUANTILE, axis=0)
+        # The bound is met in the middle of an interval; at a state there is no error.
+        u = (own - trajectory.time[of_line]) / steps[of_line]
+        error = np.quantile(errors[of_line] * (4 * u * (1 - u))[:, None], QUANTILE, axis=0)
         position_sigma, attitude_sigma = (
             values.mean(axis=0) for values in accuracy.at(middle[of_line])
         )

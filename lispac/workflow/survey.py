@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.causes import Cause
 from lispac.errors import InputError
@@ -40,6 +41,8 @@ DATA = Cause.of_step("Data")
 LARGE = 4_000_000
 """Points; lines with more are imported into the project's store, smaller ones are read into memory
 whenever the project is opened, with 64 bytes a point."""
+RUNS, RUN = 64, 16
+"""Places of a line, and neighbouring points at each, whose times are compared with the states."""
 AUDIT_TIMES = 1001
 """Times of a line at which the motion of the vessel is taken for the audit."""
 TEXT_POINT = 40
@@ -168,8 +171,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     messages += shared_messages(audits)
     first_times = {name: scan.first_time for name, scan in scans.items()}
     messages += simultaneous_messages(audits, first_times)
-    spans = {name: (scan.first_time, scan.last_time) for name, scan in scans.items()}
-    messages += interpolation_messages(trajectory, accuracy, spans)
+    times = {name: _some_times(scan) for name, scan in scans.items()}
+    messages += interpolation_messages(trajectory, accuracy, times)
     progress(1.0, "Survey loaded")
     return Survey(
         trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
@@ -288,6 +291,13 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
             f"those of the trajectory ({trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s); "
             "give the accuracy file that belongs to it."
         )
+
+
+def _some_times(scan: Line) -> NDArray[np.float64]:
+    """Times of some points all over a line, shape (n,), seconds; neighbours are read at once."""
+    starts = np.linspace(0, max(0, len(scan) - RUN), RUNS).astype(np.int64)
+    numbers = np.unique(starts[:, None] + np.arange(min(RUN, len(scan))))
+    return scan.take(numbers)[1]
 
 
 def _median_heading(trajectory: LocalTrajectory, scan: Line) -> float:
