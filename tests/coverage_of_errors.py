@@ -114,12 +114,16 @@ def survey(kind: str, seed: int) -> Observations:
 
 @dataclass(frozen=True)
 class Answer:
-    """Error and sigmas of one survey, degrees, and the codes of its serious warnings."""
+    """Error and sigmas of one survey, degrees, and the codes of its serious warnings.
+
+    ``shortened`` tells whether the residuals asked for shorter correlation times.
+    """
 
     error: np.ndarray
     sigma: np.ndarray
     foreseen: np.ndarray
     serious: tuple[str, ...]
+    shortened: bool
 
 
 def answer(kind: str, seed: int) -> Answer:
@@ -129,6 +133,7 @@ def answer(kind: str, seed: int) -> Answer:
         np.degrees(result.sigma),
         np.degrees(result.foreseen.sigma),
         tuple(doubt.code for doubt in doubts(result, None) if doubt.serious),
+        result.stated_times is not None,
     )
 
 

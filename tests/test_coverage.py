@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 import scipy.stats
 
+from tests.coverage_of_errors import KINDS, hits, row
+from tests.coverage_of_errors import study as study_of_errors
 from tests.coverage_study import CORRELATION_TIMES, DISTANCES, SUBSAMPLED, changes, printed, study
 
 
@@ -46,3 +48,24 @@ def test_sigmas_are_the_same_at_any_subsampling(times: tuple[float, float]) -> N
     print(said)
     most = (ratio + 3 * error).max(axis=0) / (ratio - 3 * error).min(axis=0)
     assert (most < 1.10).all(), said
+
+
+@pytest.mark.parametrize("kind", ["none", "POS time / 10"])
+def test_the_sigmas_hold_where_the_correlation_times_are_others(kind: str) -> None:
+    """Of five surveys; an angle misses two of their intervals once in forty times."""
+    answers = study_of_errors(kind, 5, workers=1)
+    said = row(kind, answers)
+    assert (hits(answers) >= 0.6).all(), said
+    assert not any(each.serious for each in answers), said
+    shortened = [each.shortened for each in answers]
+    assert all(shortened) if kind == "POS time / 10" else not any(shortened)
+
+
+@pytest.mark.long
+@pytest.mark.timeout(7200)
+@pytest.mark.parametrize("kind", KINDS)
+def test_of_surveys_without_a_serious_warning_the_intervals_hold(kind: str) -> None:
+    answers = study_of_errors(kind, 200)
+    print(row(kind, answers))
+    calm = [each for each in answers if not each.serious]
+    assert (hits(calm) >= 0.93 - 2 * np.sqrt(0.95 * 0.05 / max(1, len(calm)))).all()

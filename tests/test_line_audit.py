@@ -8,11 +8,14 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac.geometry.frames import LocalFrame
 from lispac.io.formats import format_of
 from lispac.messages import Level, Message
 from lispac.project import LineSource, Project, Reading, Settings
+from lispac.survey.audit_messages import line_messages
 from lispac.survey.line_audit import LineAudit, shared_fraction
 from lispac.survey.screening import PointScreen, PointSelection
+from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.file_audit import file_audit
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
@@ -459,3 +462,31 @@ def test_passes_with_a_turn_between_them_are_named(folder: Path) -> None:
     times = np.concatenate([START + np.linspace(2, 8, 1000), START + np.linspace(20, 30, 1500)])
     survey = opened(folder, las(folder / "L1.laz", times, fan(len(times))))
     assert by_code(survey)["audit.several_passes"].params["count"] == 2
+
+
+@pytest.mark.parametrize("states_between", [True, False])
+@pytest.mark.parametrize(("way", "passes"), [("on", 0), ("round", 2), ("back to the start", 2)])
+def test_a_long_pause_is_another_pass_where_the_vessel_did_not_go_on(
+    states_between: bool, way: str, passes: int
+) -> None:
+    """As where a line is cut to objects; with a trajectory all along, or at the points alone."""
+    time = np.arange(0.0, 120.0, 0.05)
+    north, heading = 2.0 * time, np.zeros(len(time))
+    if way == "round":
+        heading = 2 * np.pi * np.clip((time - 40) / 40, 0, 1)
+    if way != "on":
+        north = np.where(time > 80, 2.0 * (time - 80), np.clip(2.0 * time, 0, 80))
+    position = np.stack([north, 0 * time, 0 * time], axis=1)
+    attitude = np.stack([0 * time, 0 * time, heading], axis=1)
+    kept = np.ones(len(time), bool) if states_between else (time <= 20) | (time >= 100)
+    track = LocalTrajectory(
+        LocalFrame(0.8, -1.2, 0.0), time[kept], position[kept], attitude[kept], 1.5
+    )
+    audit = LineAudit(1000, spans=[[0.0, 20.0], [100.0, 119.0]])
+    own = np.concatenate([np.linspace(0.0, 19.9, 50), np.linspace(100.0, 118.9, 50)])
+    found = [
+        each.params["count"]
+        for each in line_messages("L1", audit, track, own)
+        if each.code == "audit.several_passes"
+    ]
+    assert found == [passes] * bool(passes)

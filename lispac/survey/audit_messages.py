@@ -34,6 +34,8 @@ LONG_PAUSE = 60.0
 """Seconds without points that separate two passes in any case."""
 TURN = np.radians(30.0)
 """Change of heading over a pause that makes two passes of it."""
+HALFWAY = 0.5
+"""Share of the way at its speed that a vessel makes over a pause when it goes on."""
 QUANTILE = 0.95
 """Of the speeds and angular rates on a line, for the effect of an error of time."""
 SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
@@ -248,9 +250,9 @@ def _passes(
         # The audit has the times of the file: only their differences are taken from it.
         shift = times[0] - spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
-        heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
-        turned = abs((heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi)
-        passes += bool(turned > TURN or after - before > LONG_PAUSE)
+        passes += _turned(trajectory, ends) or (
+            after - before > LONG_PAUSE and not _went_on(trajectory, ends)
+        )
     if passes > 1:
         yield Message(
             "audit.several_passes",
@@ -259,6 +261,26 @@ def _passes(
             Cause.of_line(name),
             (Action("split_line", {"line": name, "by": "gap"}),),
         )
+
+
+def _turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
+    """Whether the vessel turned between two times, shape (2,), seconds."""
+    inside = (trajectory.time > ends[0]) & (trajectory.time < ends[1])
+    heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
+    apart = (heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi
+    within = trajectory.attitude[inside, 2]
+    return bool(abs(apart) > TURN or (len(within) and np.ptp(within) > TURN))
+
+
+def _went_on(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
+    """Whether the vessel is as far on as its speed takes it between two times, (2,), seconds.
+
+    So it is where a line was cut to objects: the trajectory may have no states between them.
+    """
+    position = np.stack([np.interp(ends, trajectory.time, axis) for axis in trajectory.position.T])
+    speed = np.linalg.norm(trajectory.rate_at(ends)[:, :3], axis=1).mean()
+    way = float(np.linalg.norm(position[:, 1] - position[:, 0]))
+    return way > HALFWAY * speed * float(ends[1] - ends[0])
 
 
 def _without_restart(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
