@@ -50,6 +50,9 @@ RAISED = 1.05
 SHORTER = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried where the residuals are too large."""
 
+CLEARLY = 1e-4
+"""Probability that correlation times are shortened though the stated ones are right."""
+
 MOST_RELEASED = 3
 """No more than one sighting in so many is let go of."""
 
@@ -119,7 +122,9 @@ def adjust(
             if diagnostics:
                 radii = unlike_radii(observations, found.mounting)
                 found = replace(found, unlike_radii=radii)
-            if not (diagnostics and test_model and model.correlated and _is_rejected(found)):
+            if not (diagnostics and test_model and model.correlated):
+                return found
+            if not _is_rejected(found, CLEARLY):
                 return found
             if _is_explained(found, observations, parameters, adjusted):
                 return found
@@ -144,9 +149,18 @@ def adjust(
         ) from error
 
 
-def _is_rejected(result: AdjustmentResult) -> bool:
-    """Whether the residuals are too large for the model, by the chi-square test."""
-    return result.degrees_of_freedom > 0 and result.chi_square.statistic > result.chi_square.upper
+def _is_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
+    """Whether the residuals are too large for the model, by the chi-square test.
+
+    Parameters
+    ----------
+    chance : float
+        Probability that those of a right model are.
+    """
+    from scipy.special import chdtri
+
+    freedom = result.degrees_of_freedom
+    return freedom > 0 and bool(result.chi_square.statistic > chdtri(freedom, chance))
 
 
 def _is_explained(
