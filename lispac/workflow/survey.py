@@ -171,8 +171,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     messages += shared_messages(audits)
     first_times = {name: scan.first_time for name, scan in scans.items()}
     messages += simultaneous_messages(audits, first_times)
-    times = {name: _some_times(scan) for name, scan in scans.items()}
-    messages += interpolation_messages(trajectory, accuracy, times)
+    sampled = {name: _some_times(scan) for name, scan in scans.items()}
+    messages += interpolation_messages(trajectory, accuracy, sampled)
     progress(1.0, "Survey loaded")
     return Survey(
         trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
