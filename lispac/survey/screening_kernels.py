@@ -31,15 +31,19 @@ GAP_MOST = 10.0
 def point_hash(t, x, y, z):  # type: ignore[no-untyped-def]
     """Hash of 64 bits of the bit patterns of a point; never zero.
 
-    A multiply-xorshift mix of each value (the finalizer of MurmurHash3 by A. Appleby).
+    A sum of multiples (Dietzfelbinger 1996), mixed by the finalizer of MurmurHash3 by A. Appleby.
     """
-    h = np.uint64(0x9E3779B97F4A7C15)
-    for value in (t, x, y, z):
-        h ^= value
-        h *= np.uint64(0xFF51AFD7ED558CCD)
-        h ^= h >> np.uint64(32)
-        h *= np.uint64(0xC4CEB9FE1A85EC53)
-        h ^= h >> np.uint64(29)
+    h = (
+        t * np.uint64(0x9E3779B97F4A7C15)
+        + x * np.uint64(0xD6E8FEB86659FD93)
+        + y * np.uint64(0xA0761D6478BD642F)
+        + z * np.uint64(0xE7037ED1A0B428DB)
+    )
+    h ^= h >> np.uint64(33)
+    h *= np.uint64(0xFF51AFD7ED558CCD)
+    h ^= h >> np.uint64(33)
+    h *= np.uint64(0xC4CEB9FE1A85EC53)
+    h ^= h >> np.uint64(33)
     return h | np.uint64(1)
 
 
@@ -50,26 +54,33 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
     ``status`` (n,) holds `EXCLUDED` where a point was excluded before, else `KEPT`. A negative
     ``farthest`` leaves ranges unchecked.
     """
+    ranged = farthest >= 0
     near, far = nearest * nearest, farthest * farthest
+    low, high = (near, far) if ranged else (-1.0, largest * largest)
     counts = np.zeros(6, np.int64)
     for i in range(len(time)):
-        t, x, y, z = time[i], xyz[i, 0], xyz[i, 1], xyz[i, 2]
         if status[i] == EXCLUDED:
-            pass
-        elif not (
+            counts[EXCLUDED] += 1
+            continue
+        t, x, y, z = time[i], xyz[i, 0], xyz[i, 1], xyz[i, 2]
+        r2 = x * x + y * y + z * z
+        # Nearly all points pass here; of those that do not, the reason is sought.
+        if low < r2 <= high and -largest_time <= t <= largest_time and (x != y or y != z):
+            continue
+        if not (
             -largest <= x <= largest
             and -largest <= y <= largest
             and -largest <= z <= largest
             and -largest_time <= t <= largest_time
         ):
             status[i] = NOT_FINITE
-        elif farthest >= 0:
-            r2 = x * x + y * y + z * z
-            if r2 <= near or x == y == z:  # scanners fill in one value, 0 or -9999, where no echo
-                status[i] = NO_RANGE
-            elif r2 > far:
-                status[i] = TOO_FAR
-        counts[status[i]] += 1
+        elif ranged and (r2 <= near or (x == y and y == z)):
+            status[i] = NO_RANGE  # scanners fill in one value, 0 or -9999, where no echo comes
+        elif ranged and r2 > far:
+            status[i] = TOO_FAR
+        if status[i] != KEPT:
+            counts[status[i]] += 1
+    counts[KEPT] = len(time) - counts.sum()
     return counts
 
 
