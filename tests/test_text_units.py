@@ -13,6 +13,7 @@ from lispac.io.seed_file import read_point_list
 from lispac.io.units import UNKNOWN, direction_of, is_units_row, split_title, stated_unit
 from lispac.messages import Level
 from lispac.survey.trajectory import Trajectory
+from lispac.workflow.line_points import read_chunks
 
 COUNT = 80
 TIME = 1000 + 0.1 * np.arange(COUNT)
@@ -432,3 +433,20 @@ def test_titles_are_taken_apart(title: str, name: str, unit: str, direction: str
 )  # fmt: skip
 def test_a_row_of_units_is_known(row: list[str], units: bool) -> None:
     assert is_units_row(row) == units
+
+
+@pytest.mark.parametrize(
+    ("title", "base"),
+    [("time_tai [s]", "tai"), ("TAI", "tai"), ("Unix_Time", "unix"), ("time [s]", None)],
+)
+def test_the_name_of_the_times_states_their_base(
+    tmp_path: Path, title: str, base: str | None
+) -> None:
+    path = tmp_path / "L1.csv"
+    rows = np.column_stack([1_707_304_867.2 + np.linspace(0, 10, 500), np.eye(500, 3) + 5])
+    np.savetxt(path, rows, fmt="%.6f", delimiter=",", header=f"{title},x [m],y [m],z [m]",
+               comments="")  # fmt: skip
+    finding = format_of("text").look(path, {})
+    assert finding.choice.get("time_base") == base
+    (chunk,) = read_chunks(format_of("text").read(path, {}))
+    assert len(chunk.time) == 500

@@ -11,11 +11,16 @@ from lispac.io.units import ANGLE_CODES, is_units_row, split_title, stated_unit,
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
 REMARKS = ("#", "%", "//")
+TIME_BASES = {
+    **dict.fromkeys(("time_tai", "tai_time", "tai", "time tai", "ptp_time", "time_ptp"), "tai"),
+    **dict.fromkeys(("time_unix", "unix_time", "unix", "time unix", "posix_time"), "unix"),
+}
+"""Names of times that say what these count, and the keys of their bases; lower case."""
 MEANINGS = {
     **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
     **dict.fromkeys(("y", "northing", "north", "n", "lat", "latitude"), "y"),
     **dict.fromkeys(("z", "height", "h", "elevation", "up", "u"), "z"),
-    **dict.fromkeys((*TIME_NAMES, "sow", "seconds"), "time"),
+    **dict.fromkeys((*TIME_NAMES, "sow", "seconds", *TIME_BASES), "time"),
     **dict.fromkeys(("intensity", "i", "scalar_intensity", "reflectance"), "intensity"),
 }
 """What usual column names mean; lower case, without their unit."""

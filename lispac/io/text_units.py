@@ -6,7 +6,7 @@ from pathlib import Path
 from lispac.errors import InputError
 from lispac.io.points import SCANNER_UNITS
 from lispac.io.registry import Choice
-from lispac.io.text_layout import BEAMS, Layout, bare_name, equal_columns
+from lispac.io.text_layout import BEAMS, TIME_BASES, Layout, bare_name, equal_columns
 from lispac.io.trajectory_grid import LENGTH_WORDS, LENGTHS
 from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN, direction_of
 from lispac.messages import Action, Level, Message
@@ -21,8 +21,12 @@ AXES = ("x", "y", "z")
 
 
 def header_options(layout: Layout) -> dict[str, str]:
-    """Options ``time_unit`` and ``unit`` that the titles of the columns state."""
+    """Options ``time_unit``, ``time_base`` and ``unit`` that the titles of the columns state."""
     units, found = layout.units(), dict[str, str]()
+    if "time" in layout.names:
+        title = layout.titles[layout.names.index("time")]
+        if base := TIME_BASES.get(bare_name(title)):
+            found["time_base"] = base
     if time := TIME_UNITS.get(units.get("time", "")):
         found["time_unit"] = time
     stated = [units.get(axis, "") for axis in AXES]

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from lispac.project import Reading
 from lispac.survey.source import RESTART
-from lispac.survey.time_base import matches, sentence
+from lispac.survey.time_base import TimeBase, base_of, matches, plausible, sentence
 from lispac.survey.time_restart import PERIODS, restart_of
 from lispac.survey.time_stated import CLEARLY_MORE, offer
 
@@ -26,10 +26,11 @@ def outside(reading: Reading, times: Array, track: Array) -> str:
     """
     first, last = times.min(), times.max()
     if not reading.time_shift:
+        some, bases = times[:: max(1, len(times) // 1000)], _bases(reading, times)
         return (
             f"its points ({first:.1f} to {last:.1f} s) lie outside the trajectory "
             f"({track[0]:.1f} to {track[-1]:.1f} s); check the date and the time base, or leave "
-            f"the line out. {sentence(matches(times[:: max(1, len(times) // 1000)], track))}"
+            f"the line out. {sentence(matches(some, track, point_bases=bases))}"
         )
     written = times - reading.time_shift
     inside = ((written >= track[0]) & (written <= track[-1])).any()
@@ -38,6 +39,12 @@ def outside(reading: Reading, times: Array, track: Array) -> str:
         f"shifted by {reading.time_shift:+,.3f} s, its points ({first:.1f} to {last:.1f} s) lie "
         f"outside the trajectory ({track[0]:.1f} to {track[-1]:.1f} s); check the shift: {remedy}."
     )
+
+
+def _bases(reading: Reading, times: Array) -> tuple[TimeBase, ...] | None:
+    """What the times of a line count, where the file or the user states it and they can be that."""
+    key = dict(reading.options).get("time_base", "")
+    return (base_of(key),) if key and base_of(key) in plausible(times) else None
 
 
 def offered(reading: Reading, times: Array, track: Array) -> str:
