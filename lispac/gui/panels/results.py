@@ -149,10 +149,9 @@ class ResultsPanel(QWidget):
         self.rotation.setVisible(is_shown)
         if is_shown:
             rows = "".join(
-                f"<tr>{''.join(f'<td align=right>{value:+.8f}&nbsp;&nbsp;</td>' for value in row)}"
-                "</tr>"
+                f"<tr>{''.join(map(_matrix_cell, row))}</tr>"
                 for row in result.mounting.rotation_body_lidar
-            ).replace("-", "−")
+            )
             words = escape(boresight_said(result.angles))
             title = escape(say("Rotation matrix, LiDAR to body (forward, left, up):"))
             self.rotation.setText(f"{words}<br>{title}<table>{rows}</table>")
@@ -212,6 +211,11 @@ class ResultsPanel(QWidget):
         self._verdict.setText(
             say(f"{words} Errors by the data: {components}." if components else words)
         )
+
+
+def _matrix_cell(value: float) -> str:
+    number = say(f"{value:+.8f}".replace("-", "−"))
+    return f"<td align=right>{number}&nbsp;&nbsp;</td>"
 
 
 def _model_words(model: StochasticModel) -> str:
