@@ -12,8 +12,8 @@ REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
 REMARKS = ("#", "%", "//")
 TIME_BASES = {
-    **dict.fromkeys(("time_tai", "tai_time", "tai", "time tai", "ptp_time", "time_ptp"), "tai"),
-    **dict.fromkeys(("time_unix", "unix_time", "unix", "time unix", "posix_time"), "unix"),
+    **dict.fromkeys(("time_tai", "tai_time", "tai", "ptp_time", "time_ptp"), "tai"),
+    **dict.fromkeys(("time_unix", "unix_time", "unix", "posix_time"), "unix"),
 }
 """Names of times that say what these count, and the keys of their bases; lower case."""
 MEANINGS = {
