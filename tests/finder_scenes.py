@@ -83,8 +83,12 @@ def site(
     lines: int = 6,
     seed: int = 11,
     pulses_per_second: float = 100_000.0,
+    absent_from: str | None = None,
 ) -> Site:
-    """The first of the six passes along such a scene, with POS errors, noise and mixed echoes."""
+    """The first of the six passes along such a scene, with POS errors, noise and mixed echoes.
+
+    T1 was not there yet when the line ``absent_from`` was recorded.
+    """
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
     passes = [replace(each, run_in=REACH, run_out=REACH) for each in six_passes()[:lines]]
     motion = sail(passes, 1.1, sea)
@@ -92,16 +96,19 @@ def site(
     states = (motion.time, motion.position, motion.attitude)
     scene, boresight = Scene.of(surfaces), np.radians(BORESIGHT_DEG)
     middle = np.mean([s.centre for s in scene.surfaces if s.name.startswith("T")], axis=0)
+    without = Scene.of([s for s in surfaces if s.name != "T1"])
     echoes = {}
     for k, (each, recorded) in enumerate(zip(passes, motion.recorded, strict=True)):
+        absent = absent_from == f"L{k + 1}"
+        shown = without if absent else scene
         whole = scan(
-            Scanner(pulses_per_second), scene, states, recorded, each.starboard,
+            Scanner(pulses_per_second), shown, states, recorded, each.starboard,
             Mounting(np.array(LEVER_ARM), boresight), scanners[k],
         )  # fmt: skip
         near = np.linalg.norm(whole.true_points_local - middle, axis=1) < NEAR
         echoes[f"L{k + 1}"] = Echoes(
             whole.time[near], whole.points_lidar[near], whole.true_points_local[near],
-            whole.intensity[near], whole.label[near],
+            whole.intensity[near], whole.label[near] + (absent and whole.label[near] >= 0),
         )  # fmt: skip
     trajectory = LocalTrajectory(
         LocalFrame(*ORIGIN),

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
 from lispac.geometry.neighbours import PointGrid
-from lispac.geometry.planes import in_plane_axes
+from lispac.geometry.planes import Plane, in_plane_axes
 from lispac.progress import Progress, no_progress
 from lispac.targets import outline
 from lispac.targets.finder import (
@@ -48,6 +48,10 @@ OFFSET = 0.3
 WHOLE, BACKDROP = 0.97, 1.0
 # Flat patches larger than this, square metres, speak with less than their area.
 LARGE = 0.25
+# A patch cut out of a surface that crosses the plane goes on beyond the threshold: twice as many
+# points lie between one and three thresholds from the plane as on it. The limit is for how much
+# this ratio exceeds that of the reference, which the wrong boresight may smear as well.
+BEYOND, CROSSING = 3.0, 0.8
 # Least part of the reference's outline that the patch must cover, and the most it may be larger.
 LEAST_COVERED, MOST_LARGER = 0.3, 3.0
 
@@ -61,6 +65,7 @@ class _Reference:
     patch_points: Array
     around: Surroundings
     cell: float
+    beyond: float
 
 
 def find_in_lines(
@@ -138,12 +143,15 @@ def _reference(
 ) -> _Reference:
     patch_points = cloud[patch.indices]
     placed = patch_points @ in_plane_axes(patch.plane.normal).T
+    cell = outline.cell_size(placed, np.ones(len(placed)))
+    about = cloud[near(cloud, grid, seed, settings.radius)]
     return _Reference(
         seed=seed,
         patch=patch,
         patch_points=patch_points,
         around=surroundings(cloud, grid, patch.indices, patch.centre, seed, settings),
-        cell=outline.cell_size(placed, np.ones(len(placed))),
+        cell=cell,
+        beyond=_ratio_beyond(about, patch.plane, placed, cell, settings),
     )
 
 
@@ -257,5 +265,31 @@ def _match(
         )
     if larger > MOST_LARGER:
         raise PlaneNotFound(f"The plane found is {larger:.1f} times as large as the target.")
+    own = cloud[patch.indices] @ in_plane_axes(patch.plane.normal).T
+    beyond = _ratio_beyond(points, patch.plane, own, cell, settings)
+    if beyond - reference.beyond > CROSSING:
+        raise PlaneNotFound("The points found are part of a surface that crosses the target.")
     likeness = coverage * min(1.0, 1.5 / larger) * np.cos(np.radians(2.0 * tilt))
     return patch, shift.score * float(likeness)
+
+
+def _ratio_beyond(
+    points: Array, plane: Plane, placed: Array, cell: float, settings: FinderSettings
+) -> float:
+    """Points beyond the threshold over those on a plane, within its outline.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, local frame
+        Of the neighbourhood.
+    placed : ndarray of shape (m, 2), metres
+        The patch in its plane.
+    cell : float, metres
+        Of the outline.
+    """
+    off = np.abs(plane.distances(points))
+    there = points[(off > settings.threshold) & (off <= BEYOND * settings.threshold)]
+    if not len(there):
+        return 0.0
+    axes = in_plane_axes(plane.normal)
+    return float(np.count_nonzero(outline.covered(there @ axes.T, placed, cell)) / len(placed))

@@ -21,6 +21,8 @@ from lispac.geometry.knn import build_tree, local_planes
 from lispac.geometry.neighbours import bounds, cell_keys
 from lispac.survey.cloud import Cloud, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
+from lispac.targets.agreement import PlacementAccuracy
+from lispac.targets.smear import ROUGHLY_OFF
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -58,6 +60,10 @@ and smaller, by so many points of a line; so many of these starts, the likeliest
 MEET, FAR = 0.15, 1.0
 """Two lines meet at a point where their surfaces are this near to each other, metres, and it is not
 farther than that from a point of the other line."""
+LEAST_APART = 0.02
+"""Standard deviation of the distance between the surfaces of two lines, metres, at least."""
+NORMAL_MAD = 1.4826
+"""Standard deviation of a normal distribution over its median absolute deviation."""
 ENOUGH = 0.75
 """Share of the points that must meet another line."""
 
@@ -77,6 +83,8 @@ class Alignment:
     determined : bool
         The scene tells all three angles. One wall alone does not: its lines meet as well where they
         are shifted along it.
+    apart : float, metres
+        Standard deviation of the distance between the surfaces of two lines, a robust one.
     """
 
     clouds: Mapping[str, Cloud]
@@ -84,6 +92,7 @@ class Alignment:
     met: float
     met_before: float
     determined: bool = False
+    apart: float = 0.0
 
     @property
     def mounting(self) -> Mounting:
@@ -94,6 +103,13 @@ class Alignment:
     def nearly_meets(self) -> bool:
         """Whether a target is to be expected in about the same place on every line."""
         return self.determined and self.met >= ENOUGH
+
+    @property
+    def accuracy(self) -> PlacementAccuracy:
+        """How well these lines are placed relative to each other."""
+        if not self.nearly_meets:
+            return PlacementAccuracy()
+        return PlacementAccuracy(ROUGHLY_OFF, max(self.apart, LEAST_APART))
 
 
 def align(clouds: Mapping[str, Cloud]) -> Alignment:
@@ -120,11 +136,11 @@ def align(clouds: Mapping[str, Cloud]) -> Alignment:
             best, met = boresight, share
         if met >= ENOUGH:
             break
-    determined = scene.determines(best)
+    determined, apart = scene.determines(best), scene.apart(best)
     if best is prior:
-        return Alignment(clouds, clouds, met, met_before, determined)
+        return Alignment(clouds, clouds, met, met_before, determined, apart)
     nearer = scene.place.mounting.with_boresight(best)
-    return Alignment(placed_with(clouds, nearer), clouds, met, met_before, determined)
+    return Alignment(placed_with(clouds, nearer), clouds, met, met_before, determined, apart)
 
 
 @dataclass(frozen=True, eq=False)
@@ -264,6 +280,13 @@ class _Scene:
             meet += int(np.count_nonzero(near & (np.abs(_off(placed, pair)) < MEET)))
             seen += len(pair.here)
         return meet / max(seen, 1)
+
+    def apart(self, boresight: Array) -> float:
+        """See `Alignment`; 0 where no two lines show anything alike."""
+        placed = self.placed(boresight)
+        off = [_off(placed, pair) for pair in self._pairs(placed, FAR)]
+        every = np.concatenate([np.empty(0), *off])
+        return NORMAL_MAD * float(np.median(np.abs(every))) if len(every) else 0.0
 
     def _pairs(self, placed: list[Array], reach: float) -> Iterator[_Pair]:
         faces = [line.faces(points) for line, points in zip(self.lines, placed, strict=True)]

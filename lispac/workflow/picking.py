@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
+from lispac.targets.agreement import agreeing
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.finder import FinderSettings
 from lispac.targets.settings import USUAL, FinderChoices
-from lispac.targets.sphere_finder import RadiusSought, SpherePatch, patch_on_sphere
+from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow.seeking import DEFAULT_RADII as DEFAULT_RADII
 from lispac.workflow.seeking import Patch, Place, Sought
 from lispac.workflow.survey import Survey
@@ -85,6 +86,8 @@ def find(
             _require_same(project, known, target)
         place = Place.of(survey.aligned, centre, line, settings.radius)
         patch = sought.at(place.clouds[line], place.seed, settings)
+        if known is not None:
+            _require_same_surface(known, sought, place, line, patch)
         if known is not None and expected is not None:
             known = replace(known, expected=target.expected)
         return _with_sighting(project, known or target, _sighting(survey, line, patch))
@@ -135,18 +138,32 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
     SphereNotFound
         Where the points of a sighting do not determine one.
     """
-    radii = Sought.of(target).radii
-    return {
-        sighting.line: _on_sphere(survey.clouds[sighting.line][sighting.indices], sighting, radii)
+    sought = Sought.of(target)
+    found = {
+        sighting.line: sought.patch_of(survey.clouds[sighting.line], sighting.indices)
         for sighting in target.sightings
     }
+    return {line: patch for line, patch in found.items() if isinstance(patch, SpherePatch)}
 
 
-def _on_sphere(
-    points: NDArray[np.float64], sighting: PickedSighting, radii: RadiusSought
-) -> SpherePatch:
-    patch = patch_on_sphere(points, np.arange(len(points)), radii)
-    return replace(patch, indices=sighting.indices[patch.indices])
+def _require_same_surface(
+    known: Target, sought: Sought, place: Place, line: str, patch: Patch
+) -> None:
+    """Refuse to add a sighting of another surface to a target.
+
+    Raises
+    ------
+    TargetNotFound
+    """
+    found: dict[str, Patch] = {}
+    for sighting in known.used_sightings:
+        if sighting.line != line:
+            cloud = place.clouds[sighting.line]
+            found[sighting.line] = sought.patch_of(cloud, sighting.indices)
+    found[line] = patch  # the last one: where two disagree, it is the one that is rejected
+    _, rejected = agreeing(found, place.clouds, place.accuracy, known.radius, None)
+    if line in rejected:
+        raise TargetNotFound(f"{known.name} on {line}: {rejected[line]}")
 
 
 def point_of(project: Project, survey: Survey, line: str, number: int) -> NDArray[np.float64]:
@@ -228,8 +245,9 @@ def _in_lines(
         tried = replace(settings, radius=radius, max_shift=place.max_shift)
         try:
             found, missing = sought.in_lines(
-                place.clouds, place.seed, tried, first_line=place.line, progress=progress
-            )
+                place.clouds, place.seed, tried,
+                first_line=place.line, accuracy=place.accuracy, progress=progress,
+            )  # fmt: skip
         except TargetNotFound as error:
             refusal = refusal or error
             continue

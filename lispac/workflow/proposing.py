@@ -85,7 +85,10 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         settings = replace(settings, max_shift=MET_SHIFT)
 
     def find(seed: Array, line: str, step: Progress) -> Found:
-        return planes_in_lines(aligned.clouds, seed, settings, first_line=line, progress=step)
+        return planes_in_lines(
+            aligned.clouds, seed, settings,
+            first_line=line, accuracy=aligned.accuracy, progress=step,
+        )  # fmt: skip
 
     detected = detect_planes(
         {name: cloud.sample for name, cloud in aligned.clouds.items()},

@@ -10,10 +10,15 @@ from lispac.errors import TargetNotFound
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
+from lispac.targets.agreement import PlacementAccuracy
+from lispac.targets.smear import ROUGHLY_OFF
 from lispac.workflow.seeking import MET_SHIFT, Sought
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
+
+ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
+"""Of lines that an adjustment has placed; the first one used points smeared by the prior."""
 
 NARROWED = 2 / 3
 """Share of the pick's threshold that is left once the boresight no longer smears the surface: two
@@ -62,7 +67,9 @@ def selected_again(
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
-        found, _ = Sought.of(target).in_lines(lines, seed, settings, first_line=line)
+        found, _ = Sought.of(target).in_lines(
+            lines, seed, settings, first_line=line, accuracy=ESTIMATED
+        )
     except TargetNotFound:
         return target
     return replace(

@@ -1,7 +1,7 @@
 """Seeking a target of either shape, in one line or in all."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TypeVar
@@ -14,10 +14,18 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MOST, Cloud, Region
 from lispac.targets.across_lines import find_in_lines
+from lispac.targets.agreement import PRIOR_ACCURACY, PlacementAccuracy, agreeing
 from lispac.targets.alignment import Alignment
-from lispac.targets.finder import FinderSettings, PlanePatch, checked_seed, find_plane, patch_among
+from lispac.targets.finder import (
+    FinderSettings,
+    PlanePatch,
+    checked_seed,
+    find_plane,
+    patch_among,
+    patch_of,
+)
 from lispac.targets.lines import CLICK
-from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
+from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere, patch_on_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
 Array = NDArray[np.float64]
@@ -50,6 +58,8 @@ shows where the plane is, and then all points that lie on it are taken."""
 
 ABOUT = 0.1
 """Metres from a clicked point within which its neighbours are looked for."""
+
+UP = np.array([0.0, 0.0, 1.0])
 
 MET_SHIFT = 0.5
 """Metres that a target may be from one line to another where the lines nearly meet: what is left is
@@ -131,6 +141,25 @@ class Sought:
         beside = _beside(region, cloud, checked_seed(seed))
         return _whole(find_plane(region.points, seed, settings, beside=beside), region, cloud)
 
+    def patch_of(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
+        """The target that chosen points of a line form.
+
+        Parameters
+        ----------
+        indices : ndarray of shape (n,), int
+
+        Raises
+        ------
+        TargetNotFound
+            Where they do not determine one.
+        """
+        points = cloud[indices]
+        every = np.arange(len(points))
+        if self.shape == "plane":
+            return replace(patch_of(points, every, UP), indices=indices)
+        patch = patch_on_sphere(points, every, self.radii)
+        return replace(patch, indices=indices[patch.indices])
+
     def in_lines(
         self,
         clouds: Mapping[str, Cloud],
@@ -138,27 +167,41 @@ class Sought:
         settings: FinderSettings,
         *,
         first_line: str | None = None,
+        accuracy: PlacementAccuracy = PRIOR_ACCURACY,
         progress: Progress = no_progress,
     ) -> tuple[Mapping[str, Patch], dict[str, str]]:
         """The target at the seed in every line, and why it is missing in the others.
 
-        Of each line no more is read than what the target may be in.
+        Of each line no more is read than what the target may be in. A surface that differs from
+        the target by more than the accuracy of the placement allows is another one.
 
         Parameters
         ----------
         seed : ndarray of shape (3,), metres, local frame
+        accuracy : PlacementAccuracy
+            How well these lines are placed relative to each other.
 
         Raises
         ------
         TargetNotFound
         """
         if self.shape == "plane":
-            return planes_in_lines(clouds, seed, settings, first_line=first_line, progress=progress)
+            return planes_in_lines(
+                clouds, seed, settings, first_line=first_line, accuracy=accuracy, progress=progress
+            )
         regions, points = _regions(clouds, seed, settings)
         found, missing = find_spheres_in_lines(
             points, seed, self.radii, settings, first_line=first_line, progress=progress
         )
-        return {name: _numbered(patch, regions[name]) for name, patch in found.items()}, missing
+        numbered = {name: _numbered(patch, regions[name]) for name, patch in found.items()}
+        kept, rejected = agreeing(
+            numbered,
+            clouds,
+            accuracy,
+            settings.radius,
+            _clicked(first_line, numbered, seed, clouds),
+        )
+        return kept, missing | rejected
 
 
 def planes_in_lines(
@@ -167,6 +210,7 @@ def planes_in_lines(
     settings: FinderSettings,
     *,
     first_line: str | None = None,
+    accuracy: PlacementAccuracy = PRIOR_ACCURACY,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, str]]:
     """As `Sought.in_lines`, for a plane."""
@@ -177,8 +221,21 @@ def planes_in_lines(
         beside={name: close for name, close in beside.items() if close is not None},
     )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        whole = pool.map(lambda name: _whole(found[name], regions[name], clouds[name]), found)
-        return dict(zip(found, whole, strict=True)), missing
+        every = pool.map(lambda name: _whole(found[name], regions[name], clouds[name]), found)
+        whole = dict(zip(found, every, strict=True))
+    kept, rejected = agreeing(
+        whole, clouds, accuracy, settings.radius, _clicked(first_line, whole, seed, clouds)
+    )
+    return kept, missing | rejected
+
+
+def _clicked(
+    first_line: str | None, found: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
+) -> str | None:
+    """The line that was clicked, if it is known."""
+    if first_line is not None:
+        return first_line
+    return next((name for name in found if len(clouds[name].within(seed, CLICK).numbers)), None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,12 +251,15 @@ class Place:
         The line that is.
     max_shift : float, metres
         Farthest the target may be from one line to another.
+    accuracy : PlacementAccuracy
+        Of the lines.
     """
 
     clouds: Mapping[str, Cloud]
     seed: Array
     line: str | None
     max_shift: float
+    accuracy: PlacementAccuracy
 
     @classmethod
     def of(cls, aligned: Alignment, seed: Array, line: str | None, radius: float) -> "Place":
@@ -221,9 +281,9 @@ class Place:
         for name in aligned.before if line is None else (line,):
             nearest += _nearest(aligned, name, seed, reaches)
         if not nearest:
-            return cls(aligned.clouds, seed, line, reach)
+            return cls(aligned.clouds, seed, line, reach, aligned.accuracy)
         _, line, move = min(nearest, key=lambda found: found[:2])
-        return cls(aligned.clouds, seed + move, line, reach)
+        return cls(aligned.clouds, seed + move, line, reach, aligned.accuracy)
 
 
 def _nearest(

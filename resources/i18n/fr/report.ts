@@ -2531,6 +2531,26 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>Rien dans cette ligne ne ressemble à la cible et à ses alentours.</translation>
     </message>
     <message>
+        <source>The points found are part of a surface that crosses the target.</source>
+        <translation>Les points trouvés font partie d’une surface qui coupe la cible.</translation>
+    </message>
+    <message>
+        <source>The sphere found is {apart:n} m from where the other lines show the target; {allowed:n} m are possible.</source>
+        <translation>La sphère trouvée est à {apart} m de l’endroit où les autres lignes montrent la cible ; {allowed} m sont possibles.</translation>
+    </message>
+    <message>
+        <source>The plane found is inclined by {tilt:n} deg to the target on the other lines and lies {offset:n} m before or behind it: it is another surface.</source>
+        <translation>Le plan trouvé est incliné de {tilt} deg par rapport à la cible sur les autres lignes et se trouve à {offset} m devant ou derrière elle : c’est une autre surface.</translation>
+    </message>
+    <message>
+        <source>The plane found is {apart:n} m beside the target on the other lines; {allowed:n} m are possible. It is another surface.</source>
+        <translation>Le plan trouvé est à {apart} m à côté de la cible sur les autres lignes ; {allowed} m sont possibles. C’est une autre surface.</translation>
+    </message>
+    <message>
+        <source>Only {overlap:n} % of the plane found lies where the other lines show the target: it is another surface.</source>
+        <translation>Seuls {overlap} % du plan trouvé se trouvent là où les autres lignes montrent la cible : c’est une autre surface.</translation>
+    </message>
+    <message>
         <source>The line has too few points where the target should be.</source>
         <translation>La ligne a trop peu de points là où la cible devrait être.</translation>
     </message>
