@@ -41,6 +41,14 @@ class RankDeficient(AdjustmentError):
     """The geometry of lines and targets does not determine the boresight."""
 
 
+class TargetDisagrees(RankDeficient):
+    """No point of a target agrees with the other targets and lines."""
+
+    def __init__(self, message: str, target: str = "") -> None:
+        super().__init__(message)
+        self.target = target
+
+
 class NotConverged(AdjustmentError):
     """The iterations did not settle."""
 

@@ -84,10 +84,12 @@ def site(
     seed: int = 11,
     pulses_per_second: float = 100_000.0,
     absent_from: str | None = None,
+    near: float = NEAR,
 ) -> Site:
     """The first of the six passes along such a scene, with POS errors, noise and mixed echoes.
 
-    T1 was not there yet when the line ``absent_from`` was recorded.
+    T1 was not there yet when the line ``absent_from`` was recorded. Points farther than ``near``,
+    metres, from the middle of the targets are left out.
     """
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
     passes = [replace(each, run_in=REACH, run_out=REACH) for each in six_passes()[:lines]]
@@ -105,10 +107,10 @@ def site(
             Scanner(pulses_per_second), shown, states, recorded, each.starboard,
             Mounting(np.array(LEVER_ARM), boresight), scanners[k],
         )  # fmt: skip
-        near = np.linalg.norm(whole.true_points_local - middle, axis=1) < NEAR
+        kept = np.linalg.norm(whole.true_points_local - middle, axis=1) < near
         echoes[f"L{k + 1}"] = Echoes(
-            whole.time[near], whole.points_lidar[near], whole.true_points_local[near],
-            whole.intensity[near], whole.label[near] + (absent and whole.label[near] >= 0),
+            whole.time[kept], whole.points_lidar[kept], whole.true_points_local[kept],
+            whole.intensity[kept], whole.label[kept] + (absent and whole.label[kept] >= 0),
         )  # fmt: skip
     trajectory = LocalTrajectory(
         LocalFrame(*ORIGIN),

@@ -11,6 +11,8 @@ from lispac.adjustment import iteration, scatter, solver
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import _Likelihood, surface_sigma
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import require_determined
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.omitted import contradictions
@@ -24,10 +26,11 @@ from lispac.adjustment.shown import significance_words
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
-from lispac.errors import AdjustmentError, NotConverged, RankDeficient
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.simulation.closed_form import Ball, Board, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
+from tests import coverage_of_errors
 from tests.surveys import planar_survey
 from tests.test_robustness import PRIOR, TRUTH, shifted, survey, with_strays
 
@@ -394,3 +397,23 @@ def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:
     found = surface_sigma(problem.linearised(state))
     assert 0.0002 < found < 0.01
     assert unlikely(found) < min(unlikely(0.8 * found), unlikely(1.25 * found))
+
+
+def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None:
+    """As when no point of it agrees with the other targets; the cross-checks leave it out too."""
+    prior, model = coverage_of_errors.PRIOR, coverage_of_errors.MODEL
+    data = coverage_of_errors.survey("none", 3)
+    own = data.target_of_sighting[data.sighting] == data.targets.index("T5")
+    weightless = replace(data, sigma_lidar=np.where(own[:, None], 1e160, data.sigma_lidar))
+    result = adjust(weightless, prior, model)
+    assert result.excluded_targets == ("T5",)
+    without = adjust(data.without_targets(["T5"]), prior, model)
+    assert result.boresight == pytest.approx(without.boresight, abs=1e-12)
+    checks = cross_checks(weightless, prior, result)
+    assert "T5" not in {part.without for part in checks.parts}
+    assert "target_excluded" in {doubt.code for doubt in doubts(result, checks)}
+    # Where only two targets would be left to compare, the reason is given instead.
+    two = weightless.without_targets([name for name in data.targets if name not in ("T1", "T5")])
+    with pytest.raises(TargetDisagrees) as caught:
+        adjust(two, prior, model)
+    assert caught.value.target == "T5"

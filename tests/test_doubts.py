@@ -64,6 +64,12 @@ def _unchecked(
     return change
 
 
+def _excluded(project: Project) -> Project:
+    assert project.result is not None
+    names = tuple(target.name for target in project.targets[:2])
+    return replace(project, result=replace(project.result, excluded_targets=names))
+
+
 def _radii(cause: str, value: float = 0.0) -> Callable[[Project], Project]:
     def change(project: Project) -> Project:
         assert project.result is not None
@@ -183,6 +189,7 @@ CASES = [
     ("targets_together", True, _unchecked("together", size=0.031), "within 3 % of"),
     ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
                                         angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
+    ("target_excluded", False, _excluded, "other targets and lines: T1 and T2"),
     ("unlike_radii", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
     ("unlike_radii", True, _radii("pitch_sign"), "They agree with the sign of pitch turned"),
     ("unlike_radii", True, _radii("latency", -0.02), "They agree with latency 20.00 ms smaller"),

@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +23,6 @@ from lispac.targets.detection import DetectedPlane
 from lispac.targets.quality import SightingQuality, undetermined
 from lispac.workflow import proposing
 from lispac.workflow.calibration import estimate
-from lispac.workflow.picking import pick
 from lispac.workflow.projects import open_project
 from lispac.workflow.proposing import propose
 from lispac.workflow.qualities import lidar_noise, qualities
@@ -236,8 +236,8 @@ def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
     usual, proposal = propose(project, survey), propose(thesis, survey)
     for one, other in zip(usual.targets, proposal.targets, strict=True):
         assert (one.name, one.seed) == (other.name, other.seed)
-    # Each point's POS error of its own averages out over many: it tells roll far too well.
-    assert proposal.sigma[0] < 0.5 * usual.sigma[0]
+    # A POS error of its own for each point averages out over many: roll seems far too precise.
+    assert proposal.sigma[0] < 0.7 * usual.sigma[0]
 
 
 def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
@@ -252,17 +252,17 @@ def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
     assert [target.name for target in proposal.targets] == [
         "T1", "T2", "T3", "T4", "V1", "V2", "V3", "V4",
     ]  # fmt: skip
-    for name in ("T3", "T4"):
+    for name in ("T1", "T2", "T3", "T4"):
         said = re.fullmatch(
-            r"Seen on \d lines; it brings the sigma of (\w+) from ([\d.]+)° to ([\d.]+)°\.",
+            r"Seen on \d lines; without it the sigma of (\w+) would be ([\d.]+)° instead of "
+            r"([\d.]+)°\.",
             proposal.reasons[name],
         )
         assert said is not None, proposal.reasons[name]
-        assert float(said[3]) < 0.85 * float(said[2]) + 0.001
-    # The last one brings it to what is promised of all.
-    assert float(said[3]) == pytest.approx(
-        np.degrees(proposal.sigma[ANGLES.index(said[1])]), abs=6e-4
-    )
+        assert float(said[2]) > float(said[3])
+        assert float(said[3]) == pytest.approx(
+            np.degrees(proposal.sigma[ANGLES.index(said[1])]), abs=6e-4
+        )
 
 
 @pytest.mark.long
@@ -302,45 +302,42 @@ def test_natural_planes_alone_answer_as_the_boards_do(
         assert (np.abs(result.boresight - truth) < 3 * result.sigma).all()
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("name", ["lanl_truck", "lanl_tent"])
-def test_a_drones_planes_are_proposed_in_one_action(
-    shared_data: Path, tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """Before any calibration, the lines half a metre apart; the answer is that of the seeds."""
-    data, folder = shared_data / name, tmp_path / name
+def drone_project(data: Path, folder: Path) -> Path:
     place = json.loads((data / "site.json").read_text())
     sigmas = ["--position-sigma", ".02", ".02", ".02", "--attitude-sigma", ".015", ".015", ".015"]
     new = ["new", str(folder), "--trajectory", str(data / "trajectory.sbet"), "--lever-arm"]
     new += [*map(str, place["lever_arm_m"]), "--origin", *map(str, place["origin_deg_m"])]
     new += [*sigmas, "--lidar-sigma", ".02", *map(str, sorted(data.glob("*.laz")))]
     assert main(new) == 0
+    return folder
+
+
+def test_a_drones_planes_are_proposed_in_one_action(shared_data: Path, tmp_path: Path) -> None:
+    """A truck before any calibration, the lines half a metre apart, against its reference."""
+    folder = drone_project(shared_data / "lanl_truck", tmp_path / "truck")
     assert main(["propose", str(folder), "--accept"]) == 0
-    capsys.readouterr()
     project = open_project(folder)
     survey = load_survey(project)
-    targets = project.of_role("target")
-    assert len(targets) >= 2
-    assert len(project.of_role("validation")) >= 4
-    noise = lidar_noise(project.settings)
-    for target in project.targets:
-        assert {sighting.line for sighting in target.sightings} == {"line1", "line2"}
-        assert all(sighting.rms < 3 * noise for sighting in target.sightings)
-    flatness: dict[str, list[str]] = {target.name: [] for target in project.targets}
-    lights: dict[str, list[str]] = {target.name: [] for target in project.targets}
-    for (judged, _), quality in qualities(project, survey).items():
-        flatness[judged].append(quality.flatness)
-        lights[judged].append(quality.light)
-    assert all("poor" not in each for each in flatness.values()), flatness
-    assert all("poor" not in lights[target.name] for target in targets), lights
-    assert all(set(each) != {"poor"} for each in lights.values()), lights
-    picked = replace(project, targets=())
-    for key, seed in place["seeds_nwu_on_line1"].items():
-        more = pick(picked, survey, np.array(seed), name=key)
-        picked = more if len(more.target(key).sightings) == 2 else picked
-    assert len(picked.targets) >= 4
-    by_hand = answer(project, survey, picked.targets)
-    for chosen in (targets, project.targets):
-        result = answer(project, survey, chosen)
-        print(name, len(chosen), apart(result, by_hand), np.degrees(result.sigma))
-        assert (apart(result, by_hand) < 3).all()
+    targets, validation = project.of_role("target"), project.of_role("validation")
+    assert len(targets) >= 3
+    assert len(validation) >= 1
+    judged = qualities(project, survey)
+    assert all(judged[target.name, s.line].flatness != "poor" for target in targets
+               for s in target.sightings)  # fmt: skip
+    for plane, target in product(validation, targets):
+        for one, other in product(plane.sightings, target.sightings):
+            shared = np.isin(one.indices, other.indices).any()
+            assert one.line != other.line or not shared, (plane.name, target.name)
+    result = estimate(project, survey).result
+    assert result is not None
+    reference = json.loads((shared_data / "lanl_truck" / "reference.json").read_text())
+    off = np.degrees(result.boresight) - reference["boresight_deg"]
+    sigma = np.hypot(np.degrees(result.sigma), reference["repeatability_deg"])
+    assert (np.abs(off) < 2 * sigma).all(), off
+
+
+def test_a_tent_is_no_target(shared_data: Path, tmp_path: Path) -> None:
+    """Its cloth is not flat to the noise; the answers from it are 0.2 deg off."""
+    project = open_project(drone_project(shared_data / "lanl_tent", tmp_path / "tent"))
+    with pytest.raises(TargetNotFound, match="targetless"):
+        propose(project, load_survey(project))

@@ -62,7 +62,12 @@ def as_judged(
     Told anew of noise, surfaces and blunders from fewer sightings, parts would differ by more than
     the answers do.
     """
-    kept = np.array([s not in result.suspects for s in observations.sightings])
+    kept = np.array(
+        [
+            s not in result.suspects and s.target not in result.excluded_targets
+            for s in observations.sightings
+        ]
+    )
     observations = observations.of_sightings(kept)
     noise = {target.target: target.noise for target in result.targets}
     factors = np.array([noise[target] for target in observations.targets])

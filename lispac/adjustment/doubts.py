@@ -241,6 +241,18 @@ def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doub
         )
 
 
+def _excluded_targets(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    if result.excluded_targets:
+        named = some(list(result.excluded_targets))
+        yield Doubt(
+            "target_excluded",
+            False,
+            f"Excluded, because no point of them agrees with the other targets and lines: {named}. "
+            "Pick them again, or remove them.",
+            Cause.of_target(result.excluded_targets[0]),
+        )
+
+
 RADII_AGREE = {
     "roll_sign": "with the sign of roll turned",
     "pitch_sign": "with the sign of pitch turned",
@@ -316,6 +328,7 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], 
     noise,
     _parts,
     _unchecked,
+    _excluded_targets,
     _radii,
     _shorter_times,
     _raised,

@@ -1,6 +1,6 @@
 """What goes into the adjustment: one row a point, grouped into sightings."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any
@@ -148,6 +148,12 @@ class Observations:
     def of_sightings(self, keep: NDArray[np.bool_]) -> "Observations":
         """The points of the sightings of ``keep``, shape (sightings,), alone."""
         return self.where(keep[self.sighting])
+
+    def without_targets(self, names: Collection[str]) -> "Observations":
+        """The points on all other targets."""
+        if not names:
+            return self
+        return self.of_sightings(np.array([s.target not in names for s in self.sightings]))
 
     @cached_property
     def turns(self) -> Array:

@@ -22,7 +22,7 @@ from lispac.adjustment.shapes import (
 )
 from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
 from lispac.adjustment.sums import Groups, State, Weights, grouped, residuals, sum_by_group
-from lispac.errors import RankDeficient
+from lispac.errors import TargetDisagrees
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -266,9 +266,11 @@ class Problem:
         np.add.at(whole, owners, summed[:, own, own])
         without = np.flatnonzero(whole[:, 3, 3] <= 0)
         if len(without):
-            raise RankDeficient(
-                f"No point of target {observations.targets[without[0]]} agrees with the other "
-                "targets and lines; pick the target again, or leave it out."
+            name = observations.targets[without[0]]
+            raise TargetDisagrees(
+                f"No point of target {name} agrees with the other targets and lines; pick the "
+                "target again, or leave it out.",
+                name,
             )
         planes = plane_tangents(state.shapes[:, :3], centres_and_extents(whole)[0])
         shapes = [

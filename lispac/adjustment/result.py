@@ -332,6 +332,8 @@ class AdjustmentResult:
         the shorter ones of ``model``.
     unlike_radii : tuple of UnlikeRadii
         Of the balls.
+    excluded_targets : tuple of str
+        Targets no point of which agrees with the others. They take no part in the result.
     """
 
     mounting: Mounting
@@ -361,6 +363,7 @@ class AdjustmentResult:
     raised: Array | None = None
     stated_times: tuple[float, float] | None = None
     unlike_radii: tuple[UnlikeRadii, ...] = ()
+    excluded_targets: tuple[str, ...] = ()
 
     @property
     def surfaces(self) -> Array:

@@ -33,7 +33,7 @@ from lispac.adjustment.sphere_radii import unlike_radii
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
-from lispac.errors import AdjustmentError, NotConverged, RankDeficient
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -74,7 +74,8 @@ def adjust(
 
     Gauss-Helmert model with unit normals kept exactly: a plane moves by two turns of its normal
     and its offset. The products summed over groups of points carry all the points say, so an
-    iteration costs one pass over them and a small solve.
+    iteration costs one pass over them and a small solve. A target no point of which agrees with the
+    others is excluded, and named in the result.
 
     Parameters
     ----------
@@ -102,6 +103,44 @@ def adjust(
         Where a sighting has too few points.
     RankDeficient
         Where lines and targets do not determine the boresight, or nothing checks it.
+    TargetDisagrees
+        Where two targets are left at most, or starting shapes are given.
+    NotConverged
+    """
+    excluded: list[str] = []
+    while True:
+        try:
+            result = _adjust(
+                observations.without_targets(excluded), mounting, model, parameters, shapes,
+                components, accept_one_facing, diagnostics, test_model, progress,
+            )  # fmt: skip
+        except TargetDisagrees as error:
+            if shapes is not None or len(observations.targets) - len(excluded) <= 2:
+                raise
+            excluded.append(error.target)
+        else:
+            return replace(result, excluded_targets=tuple(excluded)) if excluded else result
+
+
+def _adjust(
+    observations: Observations,
+    mounting: Mounting,
+    model: StochasticModel,
+    parameters: tuple[Parameter, ...],
+    shapes: Array | None,
+    components: bool,
+    accept_one_facing: bool,
+    diagnostics: bool,
+    test_model: bool,
+    progress: Progress,
+) -> AdjustmentResult:
+    """`adjust` with all targets.
+
+    Raises
+    ------
+    AdjustmentError
+    RankDeficient
+    TargetDisagrees
     NotConverged
     """
     started = time.perf_counter()

@@ -50,10 +50,14 @@ def propose(arguments: Namespace) -> None:
             }
             for target in proposal.targets
         ]  # fmt: skip
-        print_json({"targets": targets, "sigma_deg": sigma, "accepted": arguments.accept})
+        warnings = [{"code": each.code, "text": each.plain} for each in proposal.warnings]
+        print_json({"targets": targets, "sigma_deg": sigma, "warnings": warnings,
+                    "accepted": arguments.accept})  # fmt: skip
         return
     for target in proposal.targets:
         north, west, up = target.seed
         print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
         print(f"     {plain(proposal.reasons[target.name])}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
+    for warning in proposal.warnings:
+        print(f"warning: {warning.plain}")

@@ -299,6 +299,7 @@ def solve(
             accept_one_facing=settings.accept_one_facing,
             progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
         )
+    observations = observations.without_targets(result.excluded_targets)
     solved = project.with_result(_advised(result, observations) if advise else result)
     return _checked(solved, observations, part(progress, 0.4, 1.0)) if cross_check else solved
 
@@ -318,6 +319,7 @@ def check(
     """
     assert project.result is not None
     observations = _chosen(project, selected, survey)
+    observations = observations.without_targets(project.result.excluded_targets)
     advised = replace(project, result=_advised(project.result, observations))
     return _checked(advised, observations, progress) if cross_check else advised
 

@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
+from lispac.adjustment.doubt import Doubt
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.result import ANGLES
+from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shown import listed
 from lispac.adjustment.solver import adjust
-from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
@@ -24,24 +26,32 @@ from lispac.targets.finder import FinderSettings
 from lispac.targets.hidden import ends_within
 from lispac.targets.quality import SightingQuality
 from lispac.validation.comparison import reciprocal
-from lispac.workflow.calibration import observations_of
+from lispac.workflow.calibration import estimate, observations_of
 from lispac.workflow.qualities import qualities
 from lispac.workflow.seeking import MET_SHIFT, planes_in_lines
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_choice import (
+    LEAST_TARGETS,
+    LEAST_VALIDATION,
+    Planes,
+    chosen_targets,
+)
 
 Array = NDArray[np.float64]
 
-MOST_TARGETS, LEAST_VALIDATION = 4, 4
-WORTH_IT = 0.85
-"""A target that leaves more than this share of every sigma is left for validation."""
-FAR_WORSE = 2.0
-"""Times the worst sigma that any two planes leave: beyond it two boards are not kept to."""
 LARGE = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
 MOSTLY = 0.5
 """Share of its sightings: a plane whose flatness is poor on so many is proposed for nothing. An RMS
-of more than three times the LiDAR noise is poor, and so are ripples and bends. One whose light is
-poor on so many is proposed for validation at most, where there are too few others."""
+of more than three times the LiDAR noise is poor, and so are ripples and bends. One that is poor or
+whose flatness is doubtful on so many is proposed for validation at most, where there are too few
+others."""
+TRIALS = 3
+"""Adjustments of the chosen targets, each without the planes that the one before rejected."""
+SHARED = 0.01
+"""Share of the points of a plane from which it overlaps another one."""
+UNCHECKED = {"target_unchecked", "targets_together", "carried_by_one"}
+"""Codes of warnings that targets do not check each other."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,28 +64,34 @@ class Proposal:
         Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
     reasons : dict of name to str
     sigma : ndarray of shape (3,), radians
-        Of roll, pitch, yaw that the proposed targets would give, with those picked already.
+        Of roll, pitch, yaw, from an adjustment of the proposed targets.
     picked : tuple of str
         Targets of the project that would have been proposed.
+    warnings : tuple of Doubt
+        Serious ones of that adjustment.
     """
 
     targets: tuple[Target, ...]
     reasons: dict[str, str]
     sigma: Array
     picked: tuple[str, ...] = ()
+    warnings: tuple[Doubt, ...] = ()
 
 
 def propose(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Proposal:
     """Propose targets and validation planes; the project stays as it is.
 
-    Planes are ranked by what they add to the adjustment, by its own model and derivatives: first
-    the two that leave the least worst angle, then what improves any angle. The others that two
-    opposite lines have seen are for validation, spread in height and range.
+    Of the flat planes those are targets that determine the angles best and check each other (see
+    `lispac.workflow.target_choice`). They are adjusted; planes of which the adjustment rejects a
+    sighting are not flat or not one surface, and the choice is made again without them. The others
+    that two opposite lines have seen are for validation, spread in height and range.
 
     Raises
     ------
     TargetNotFound
         Fewer than two planes on two lines or more.
+    AdjustmentError
+        The planes do not determine the boresight.
     """
     threshold = project.settings.threshold
     progress(0.0, "Laying the lines roughly onto each other")
@@ -98,43 +114,128 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         progress=part(progress, 0.1, 0.85),
     )
     progress(0.85, "Looking how flat they are")
-    names = [f"P{k + 1}" for k in range(len(detected))]
+    named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
     targets = tuple(
-        _target(survey, plane, name, "target", threshold)
-        for plane, name in zip(detected, names, strict=True)
+        _target(survey, plane, name, "target", threshold) for name, plane in named.items()
     )
-    everything = replace(project, targets=targets, result=None)
-    judged = _judged(everything, survey)
-    spare = [p for p, n in zip(detected, names, strict=True) if judged[n].use == "at need"]
-    said_of = {id(p): judged[n].words for p, n in zip(detected, names, strict=True)}
-    planes = [p for p, n in zip(detected, names, strict=True) if judged[n].use == "any"]
-    names = [name for name in names if judged[name].use == "any"]
-    if len(planes) < 2:
-        raise TargetNotFound(_too_few(project, len(planes), list(judged.values())))
-    everything = replace(everything, targets=tuple(t for t in targets if t.name in names))
-    progress(0.9, "Weighing what each plane tells of the boresight")
-    linearised = _linearised(everything, survey)
-    uneven = _unevenness(everything, placed_with(survey.clouds, linearised.state.mounting))
-    linearised = _with_unevenness(linearised, uneven)
-    one_way = _facing_one_way(project, planes, names)
-    chosen, reasons, sigma = _chosen(linearised, names, _is_whole(planes, names), one_way)
-    left = [plane for plane, name in zip(planes, names, strict=True) if name not in chosen]
-    validation = _validation([*left, *spare[: max(LEAST_VALIDATION - len(left), 0)]], survey)
+    judged = _judged(replace(project, targets=targets, result=None), survey)
+    flat = [target for target in targets if judged[target.name].use == "any"]
+    if len(flat) < 2:
+        raise TargetNotFound(_too_few(project, len(flat), list(judged.values())))
+    progress(0.9, "Choosing the targets")
+    chosen, result, planes = _chosen(project, survey, flat, named)
+    left = [name for name in named if judged[name].use == "any" and name not in chosen]
+    spare = [name for name in named if judged[name].use == "at need"]
+    apart = [
+        name
+        for name in [*left, *spare[: max(LEAST_VALIDATION - len(left), 0)]]
+        if not any(_overlap(named[name], named[other]) for other in chosen)
+    ]
     proposed: list[Target] = []
-    said: dict[str, str] = {}
+    reasons: dict[str, str] = {}
     for number, name in enumerate(chosen, start=1):
-        plane = planes[names.index(name)]
-        proposed.append(_target(survey, plane, f"T{number}", "target", threshold))
-        said[f"T{number}"] = f"Seen on {len(plane.found)} lines; {reasons[name]}"
-    for number, plane in enumerate(validation, start=1):
+        proposed.append(_target(survey, named[name], f"T{number}", "target", threshold))
+        reasons[f"T{number}"] = _reason(planes, chosen, name, len(named[name].found), result)
+    for number, plane in enumerate(_validation([named[name] for name in apart], survey), start=1):
+        name = next(name for name in apart if named[name] is plane)
         proposed.append(_target(survey, plane, f"V{number}", "validation", threshold))
-        said[f"V{number}"] = (
+        reasons[f"V{number}"] = (
             f"Flat over {plane.area:.1f}\u00a0m², seen on {len(plane.found)} lines"
             f"{', opposite ones among them' if _opposite(plane, survey) else ''}, "
-            f"{plane.centre[2]:.0f} m high.{said_of[id(plane)]}"
+            f"{plane.centre[2]:.0f} m high.{judged[name].words}"
         )
-    progress(1.0, f"Proposed {len(chosen)} targets and {len(validation)} validation planes")
-    return Proposal(tuple(proposed), said, sigma)
+    validation = len(proposed) - len(chosen)
+    progress(1.0, f"Proposed {len(chosen)} targets and {validation} validation planes")
+    return Proposal(tuple(proposed), reasons, result.sigma, (), _warnings(result))
+
+
+def _chosen(
+    project: Project, survey: Survey, flat: Sequence[Target], named: Mapping[str, DetectedPlane]
+) -> tuple[list[str], AdjustmentResult, Planes]:
+    """Names of the targets to propose, their adjustment, and the planes they were chosen from.
+
+    Raises
+    ------
+    AdjustmentError
+    """
+    candidates, trials = list(flat), 0
+    while True:
+        trials += 1
+        everything = replace(project, targets=tuple(candidates), result=None)
+        planes = _planes(everything, survey, {each.name: named[each.name] for each in candidates})
+        chosen = chosen_targets(planes)
+        targets = tuple(
+            replace(each, name=f"T{number}")
+            for number, name in enumerate(chosen, start=1)
+            for each in candidates
+            if each.name == name
+        )
+        trying = replace(project, targets=targets, result=None)
+        result = estimate(trying, survey, cross_check=False).result
+        assert result is not None
+        suspects = {sighting.target for sighting in result.suspects}
+        suspects |= set(result.excluded_targets)
+        rejected = {
+            name for name, target in zip(chosen, targets, strict=True) if target.name in suspects
+        }
+        left = [each for each in candidates if each.name not in rejected]
+        if not rejected or len(left) < LEAST_TARGETS or trials == TRIALS:
+            return chosen, result, planes
+        candidates = left
+
+
+def _planes(project: Project, survey: Survey, named: Mapping[str, DetectedPlane]) -> Planes:
+    """The project's targets as planes to choose from."""
+    linearised = _linearised(project, survey)
+    uneven = _unevenness(project, placed_with(survey.clouds, linearised.state.mounting))
+    named = {name: named[name] for name in linearised.problem.observations.targets}
+    return Planes(
+        _with_unevenness(linearised, uneven),
+        {name: plane.centre for name, plane in named.items()},
+        _whole(named),
+        _facing_one_way(project, named),
+    )
+
+
+def _reason(
+    planes: Planes, chosen: Sequence[str], name: str, lines: int, result: AdjustmentResult
+) -> str:
+    """What a target is proposed for: the angle whose sigma would grow most without it."""
+    without = planes.sigma(set(chosen) - {name})
+    grown = without / planes.sigma(chosen)
+    k = int(np.argmax(grown))
+    seen = f"Seen on {lines} lines"
+    if len(chosen) < LEAST_TARGETS or not np.isfinite(grown[k]):
+        return f"{seen}; without it the angles are not determined."
+    now = float(np.degrees(result.sigma[k]))
+    return (
+        f"{seen}; without it the sigma of {ANGLES[k]} would be {grown[k] * now:.3f}° instead of "
+        f"{now:.3f}°."
+    )
+
+
+def _warnings(result: AdjustmentResult) -> tuple[Doubt, ...]:
+    """Serious warnings of the adjustment of the chosen targets."""
+    serious = [doubt for doubt in doubts(result, None) if doubt.serious]
+    if any(doubt.code in UNCHECKED for doubt in serious):
+        serious.append(
+            Doubt(
+                "proposal_unchecked",
+                True,
+                "The scene does not offer targets that check each other. Use the targetless "
+                "method, which adjusts many small surfaces, or put up boards.",
+            )
+        )
+    return tuple(serious)
+
+
+def _overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
+    """Whether two planes have points in common."""
+    return any(
+        np.isin(plane.found[line].indices, other.found[line].indices).mean() > SHARED
+        for line in plane.found
+        if line in other.found
+    )
 
 
 def _target(
@@ -166,6 +267,7 @@ class _Judged:
 
     use: Literal["any", "at need", "not flat", "poor"]
     words: str
+    flat: bool = True
 
 
 def _judged(project: Project, survey: Survey) -> dict[str, _Judged]:
@@ -179,17 +281,19 @@ def _judged(project: Project, survey: Survey) -> dict[str, _Judged]:
 def _judged_by(lines: Mapping[str, SightingQuality]) -> _Judged:
     poor = [line for line, quality in lines.items() if quality.light == "poor"]
     rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
+    doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
     words = f" Poor on {listed(poor)}: {lines[poor[0]].reasons[0]}" if poor else ""
+    flat = len(doubtful) < MOSTLY * len(lines)
     if len(rough) >= MOSTLY * len(lines):
-        return _Judged("not flat", words)
+        return _Judged("not flat", words, flat)
     if len(poor) < MOSTLY * len(lines):
-        return _Judged("any", words)
+        return _Judged("any" if flat else "at need", words, flat)
     return _Judged("at need" if len(poor) == MOSTLY * len(lines) else "poor", words)
 
 
 def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> str:
     """That there are too few planes, and why others do not count."""
-    rough = sum(each.use == "not flat" for each in judged)
+    rough = sum(not each.flat for each in judged)
     poor = len(judged) - few - rough
     others = [
         f"{count} more {'is' if count == 1 else 'are'} {what}"
@@ -200,7 +304,7 @@ def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> str:
     return (
         f"{project.name}: only {few} flat surface{'' if few == 1 else 's'} "
         f"{'is' if few == 1 else 'are'} seen on two lines or more{why}; "
-        "set seeds on the targets, or put up boards."
+        "set seeds on the targets, put up boards, or use the targetless method."
     )
 
 
@@ -211,6 +315,7 @@ def _linearised(project: Project, survey: Survey) -> Linearised:
     prior = project.mounting("prior")
     # Planes that all face one way are refused, or accepted, where the pairs of them are known.
     result = adjust(observations, prior, model, accept_one_facing=True, diagnostics=False)
+    observations = observations.without_targets(result.excluded_targets)
     shapes = np.stack([target.plane for target in result.targets])
     with one_thread():
         problem = Problem.of(observations, result.mounting, model)
@@ -249,95 +354,29 @@ def _with_unevenness(linearised: Linearised, uneven: dict[str, float]) -> Linear
     return problem.linearised(linearised.state)
 
 
-def _facing_one_way(
-    project: Project, planes: list[DetectedPlane], names: list[str]
-) -> set[tuple[str, str]]:
+def _facing_one_way(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
     """Pairs of planes that face one way, which the adjustment would refuse."""
     if project.settings.accept_one_facing:
         return set()
     normals = {
-        name: next(iter(plane.found.values())).plane.normal
-        for name, plane in zip(names, planes, strict=True)
+        name: next(iter(plane.found.values())).plane.normal for name, plane in planes.items()
     }
     free = np.zeros(2, dtype=bool)
     return {
         (a, b)
-        for a, b in combinations(names, 2)
+        for a, b in combinations(planes, 2)
         if one_facing(np.stack([normals[a], normals[b]]), free)
     }
 
 
-def _sigma(linearised: Linearised, names: tuple[str, ...]) -> Array:
-    """Sigmas (radians) of roll, pitch, yaw from some of the planes."""
-    sightings = linearised.problem.observations.sightings
-    gone = np.array([sighting.target not in names for sighting in sightings])
-    information = linearised.without(gone).information(3)
-    if np.linalg.eigvalsh(information)[0] <= 0.0:
-        return np.full(3, np.inf)
-    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
-
-
-def _is_whole(planes: list[DetectedPlane], names: list[str]) -> set[str]:
+def _whole(planes: Mapping[str, DetectedPlane]) -> set[str]:
     """Names of the planes that end within the search radius: the same outline on every line."""
     radius = FinderSettings().radius
     return {
         name
-        for plane, name in zip(planes, names, strict=True)
+        for name, plane in planes.items()
         if ends_within(radius, [patch.extent for patch in plane.found.values()])
     }
-
-
-def _chosen(
-    linearised: Linearised, names: list[str], whole: set[str], one_way: set[tuple[str, str]]
-) -> tuple[list[str], dict[str, str], Array]:
-    """The planes to adjust with, the reason of each, and the sigmas they give.
-
-    Raises
-    ------
-    AdjustmentError
-        Where no two planes determine the boresight.
-    """
-    with one_thread():
-        pairs = {
-            pair: _sigma(linearised, pair) for pair in combinations(names, 2) if pair not in one_way
-        }
-        if not pairs:
-            raise AdjustmentError(
-                "All flat surfaces found face one way, and that leaves the boresight open; put up "
-                "a board of another inclination, or set seeds by hand."
-            )
-        worst = {pair: float(sigma.max()) for pair, sigma in pairs.items()}
-        best, pool = min(worst, key=worst.__getitem__), names
-        # Boards rather than walls, where they tell enough: walls are wanted for validation.
-        boards = {pair: sigma for pair, sigma in worst.items() if whole.issuperset(pair)}
-        if boards and min(boards.values()) <= FAR_WORSE * worst[best]:
-            best, pool = min(boards, key=boards.__getitem__), [n for n in names if n in whole]
-        sigma, chosen = pairs[best], list(best)
-        if not np.isfinite(sigma).all():
-            raise AdjustmentError("No two of the planes found determine the boresight.")
-        text = ", ".join(
-            f"{angle} {np.degrees(value):.3f}°" for angle, value in zip(ANGLES, sigma, strict=True)
-        )
-        words = f"one of the two that tell most of the boresight, with sigmas of {text}."
-        reasons = dict.fromkeys(best, words)
-        spare = len(names) - LEAST_VALIDATION
-        while len(chosen) < min(MOST_TARGETS, spare):
-            added = {
-                name: _sigma(linearised, (*chosen, name)) for name in pool if name not in chosen
-            }
-            if not added:
-                break
-            name = min(added, key=lambda name: float((added[name] / sigma).min()))
-            k = int(np.argmin(added[name] / sigma))
-            if added[name][k] > WORTH_IT * sigma[k]:
-                break
-            reasons[name] = (
-                f"it brings the sigma of {ANGLES[k]} from {np.degrees(sigma[k]):.3f}° to "
-                f"{np.degrees(added[name][k]):.3f}°."
-            )
-            chosen.append(name)
-            sigma = added[name]
-    return chosen, reasons, sigma
 
 
 def _opposite(plane: DetectedPlane, survey: Survey) -> bool:

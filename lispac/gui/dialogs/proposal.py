@@ -34,6 +34,10 @@ class ProposalDialog(QDialog):
         self._proposal = proposal
         layout = widgets.column(self, 16)
         layout.addWidget(widgets.label(_said(proposal), wrap=True, name="proposal_sigmas"))
+        warnings = widgets.label("", "warning", wrap=True, name="proposal_warnings")
+        warnings.setText("\n".join(say(warning.text) for warning in proposal.warnings))
+        warnings.setVisible(bool(proposal.warnings))
+        layout.addWidget(warnings)
         self.table = QTableWidget(len(proposal.targets), 4)
         self.table.setTabKeyNavigation(False)
         self.table.setObjectName("proposal_table")
@@ -120,4 +124,4 @@ def _targets_said(proposal: Proposal) -> str:
         for angle, value in zip(ANGLES, proposal.sigma, strict=True)
     )
     also = f" and of {picked}, picked already" if picked else ""
-    return f"Expected sigmas of the boresight from all targets proposed{also}: {sigmas}."
+    return f"Standard deviations of the boresight from all targets proposed{also}: {sigmas}."

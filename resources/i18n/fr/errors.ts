@@ -4249,12 +4249,16 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Examen de leur planéité</translation>
     </message>
     <message>
-        <source>Weighing what each plane tells of the boresight</source>
-        <translation>Évaluation de ce que chaque plan dit des angles de visée</translation>
+        <source>Choosing the targets</source>
+        <translation>Choix des cibles</translation>
     </message>
     <message>
-        <source>Seen on {len:n} lines; {name}</source>
-        <translation>Vue sur {len} lignes ; {name}</translation>
+        <source>Seen on {lines:n} lines; without it the angles are not determined.</source>
+        <translation>Vue sur {lines} lignes ; sans elle, les angles ne sont pas déterminés.</translation>
+    </message>
+    <message>
+        <source>Seen on {lines:n} lines; without it the sigma of {angle} would be {then:n}° instead of {now:n}°.</source>
+        <translation>Vue sur {lines} lignes ; sans elle, l&apos;écart-type du {angle} serait de {then}° au lieu de {now}°.</translation>
     </message>
     <message>
         <source>Flat over {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.</source>
@@ -4297,20 +4301,20 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>mal vues</translation>
     </message>
     <message>
-        <source>{name:kept}: only {few} flat surface is seen on two lines or more; set seeds on the targets, or put up boards.</source>
-        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+        <source>{name:kept}: only {few} flat surface is seen on two lines or more; set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
     <message>
-        <source>{name:kept}: only {few} flat surface is seen on two lines or more{why}; set seeds on the targets, or put up boards.</source>
-        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus{why} ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+        <source>{name:kept}: only {few} flat surface is seen on two lines or more{why}; set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus{why} ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
     <message>
-        <source>{name:kept}: only {few} flat surfaces are seen on two lines or more; set seeds on the targets, or put up boards.</source>
-        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+        <source>{name:kept}: only {few} flat surfaces are seen on two lines or more; set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
     <message>
-        <source>{name:kept}: only {few} flat surfaces are seen on two lines or more{why}; set seeds on the targets, or put up boards.</source>
-        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus{why} ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+        <source>{name:kept}: only {few} flat surfaces are seen on two lines or more{why}; set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus{why} ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
     <message>
         <source>All flat surfaces found face one way, and that leaves the boresight open; put up a board of another inclination, or set seeds by hand.</source>
@@ -4319,14 +4323,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>No two of the planes found determine the boresight.</source>
         <translation>Il n&apos;y a pas deux des plans trouvés qui déterminent les angles de visée.</translation>
-    </message>
-    <message>
-        <source>one of the two that tell most of the boresight, with sigmas of {text:list}.</source>
-        <translation>l&apos;une des deux qui en disent le plus sur les angles de visée, avec des écarts-types de {text}.</translation>
-    </message>
-    <message>
-        <source>it brings the sigma of {angles} from {np:n}° to {np2:n}°.</source>
-        <translation>elle ramène l&apos;écart-type du {angles} de {np}° à {np2}°.</translation>
     </message>
     <message>
         <source>Judging the sightings of {name:kept}</source>
@@ -4881,12 +4877,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>lacet {n}°</translation>
     </message>
     <message>
-        <source>{name:kept}: only {few:n} flat surfaces are seen on two lines or more ({others:list}); set seeds on the targets, or put up boards.</source>
-        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ({others}) ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+        <source>{name:kept}: only {few:n} flat surfaces are seen on two lines or more ({others:list}); set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ({others}) ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
     <message>
-        <source>{name:kept}: only {few:n} flat surface is seen on two lines or more ({others:list}); set seeds on the targets, or put up boards.</source>
-        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus ({others}) ; placez des germes sur les cibles, ou installez des panneaux.</translation>
+        <source>{name:kept}: only {few:n} flat surface is seen on two lines or more ({others:list}); set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : seule {few} surface plane est vue sur deux lignes ou plus ({others}) ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
     <message>
         <source>{n:n} more are not flat</source>

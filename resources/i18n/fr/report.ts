@@ -2413,6 +2413,14 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>l&apos;une des lignes {lines}</translation>
     </message>
     <message>
+        <source>Excluded, because no point of them agrees with the other targets and lines: {named:list}. Pick them again, or remove them.</source>
+        <translation>Exclues, car aucun de leurs points ne concorde avec les autres cibles et lignes : {named}. Désignez-les de nouveau, ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>The scene does not offer targets that check each other. Use the targetless method, which adjusts many small surfaces, or put up boards.</source>
+        <translation>La scène n’offre pas de cibles qui se contrôlent mutuellement. Utilisez la méthode sans cible, qui compense de nombreuses petites surfaces, ou installez des panneaux.</translation>
+    </message>
+    <message>
         <source>Without {what} the angles are not determined, so an error of it does not show. Add targets.</source>
         <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des cibles.</translation>
     </message>

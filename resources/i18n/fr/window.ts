@@ -7138,11 +7138,11 @@ m/s</translation>
         <translation>La trajectoire couvre toutes les lignes.</translation>
     </message>
     <message>
-        <source>Expected sigmas of the boresight from all targets proposed: {sigmas:list}.</source>
+        <source>Standard deviations of the boresight from all targets proposed: {sigmas:list}.</source>
         <translation>Écarts-types attendus des angles de visée, avec toutes les cibles proposées : {sigmas}.</translation>
     </message>
     <message>
-        <source>Expected sigmas of the boresight from all targets proposed and of {picked:kept}, picked already: {sigmas:list}.</source>
+        <source>Standard deviations of the boresight from all targets proposed and of {picked:kept}, picked already: {sigmas:list}.</source>
         <translation>Écarts-types attendus des angles de visée, avec toutes les cibles proposées et celles déjà désignées ({picked}) : {sigmas}.</translation>
     </message>
 </context>

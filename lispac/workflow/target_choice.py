@@ -1,0 +1,164 @@
+"""Choice of targets among the planes of a survey, for precision and redundancy together.
+
+An angle is checked where it stays determined without any one of the targets: an error of a target
+then shows in the others (reliability: Baarda 1968). The targets are chosen one after the other, by
+the covariance that the adjustment of all planes predicts for each set.
+"""
+
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.blas import one_thread
+from lispac.adjustment.observability import CARRIED, TOGETHER
+from lispac.adjustment.problem import Linearised
+from lispac.errors import AdjustmentError
+
+Array = NDArray[np.float64]
+
+MOST_TARGETS, LEAST_TARGETS, LEAST_VALIDATION = 6, 3, 4
+"""Targets that are chosen, and planes that are left for validation once the targets are checked."""
+WORTH_IT = 0.85
+"""A target that leaves more than this share of every sigma is left for validation."""
+FAR_WORSE = 2.0
+"""Times the worst sigma that any two planes leave: beyond it two boards are not kept to."""
+
+
+@dataclass(frozen=True, eq=False)
+class Planes:
+    """Planes that targets are chosen from.
+
+    Attributes
+    ----------
+    linearised : Linearised
+        Equations of all planes together.
+    centres : mapping of name to ndarray of shape (3,), metres, local frame
+    whole : collection of str
+        Planes that end within the search radius: every line shows the same outline.
+    one_way : collection of pairs of str
+        Pairs that face one way, which the adjustment would refuse.
+    """
+
+    linearised: Linearised
+    centres: dict[str, Array]
+    whole: Collection[str]
+    one_way: Collection[tuple[str, str]]
+    _sigmas: dict[frozenset[str], Array] = field(default_factory=dict)
+
+    def sigma(self, names: Iterable[str]) -> Array:
+        """Sigmas of roll, pitch, yaw from some of the planes, shape (3,), radians.
+
+        Infinite where these do not determine the angles.
+        """
+        key = frozenset(names)
+        if key not in self._sigmas:
+            sightings = self.linearised.problem.observations.sightings
+            gone = np.array([sighting.target not in key for sighting in sightings])
+            information = self.linearised.without(gone).information(3)
+            determined = np.linalg.eigvalsh(information)[0] > 0.0
+            self._sigmas[key] = (
+                np.sqrt(np.diag(np.linalg.inv(information))) if determined else np.full(3, np.inf)
+            )
+        return self._sigmas[key]
+
+    def sigma_without_one(self, names: Sequence[str]) -> Array:
+        """Largest sigmas of roll, pitch, yaw without one of the planes, shape (3,), radians."""
+        return np.max([self.sigma(set(names) - {name}) for name in names], axis=0)
+
+    def are_checked(self, names: Sequence[str]) -> bool:
+        """Whether the others show an error of any one of the planes."""
+        return (
+            len(names) >= LEAST_TARGETS
+            and bool((self.sigma_without_one(names) <= CARRIED * self.sigma(names)).all())
+            and self.are_spread(names)
+        )
+
+    def are_spread(self, names: Sequence[str]) -> bool:
+        """Whether the planes are far enough apart not to act as one."""
+        centres = np.array([self.centres[name] for name in names])
+        apart = np.linalg.norm(centres[:, None] - centres[None], axis=-1).max()
+        points = self.linearised.problem.observations.points_lidar
+        return bool(apart >= TOGETHER * np.linalg.norm(points, axis=1).mean())
+
+
+def chosen_targets(planes: Planes) -> list[str]:
+    """Names of the planes to adjust with, the best first.
+
+    The first two leave the least worst angle. Further ones are added until each angle is checked,
+    then as long as one improves an angle clearly and enough planes are left for validation.
+
+    Raises
+    ------
+    AdjustmentError
+        Where no two planes determine the boresight.
+    """
+    names = list(planes.centres)
+    with one_thread():
+        chosen = _first_two(planes, names)
+        boards = [name for name in names if name in planes.whole]
+        # Boards rather than walls, where they determine enough: walls are wanted for validation.
+        pool = boards if set(chosen) <= set(boards) else names
+        while len(chosen) < min(MOST_TARGETS, len(names)):
+            checked = planes.are_checked(chosen)
+            spare = len(names) - LEAST_VALIDATION
+            if checked and len(chosen) >= spare:
+                break
+            added = _best_addition(planes, chosen, pool, checked)
+            if added is None and not checked and pool is boards:
+                pool = names
+                continue
+            if added is None:
+                break
+            chosen.append(added)
+    return chosen
+
+
+def _first_two(planes: Planes, names: Sequence[str]) -> list[str]:
+    """The two planes that leave the least worst angle, boards if these do nearly as well.
+
+    Raises
+    ------
+    AdjustmentError
+    """
+    worst = {
+        pair: float(planes.sigma(pair).max())
+        for pair in combinations(names, 2)
+        if pair not in planes.one_way
+    }
+    if not worst:
+        raise AdjustmentError(
+            "All flat surfaces found face one way, and that leaves the boresight open; put up "
+            "a board of another inclination, or set seeds by hand."
+        )
+    best = min(worst, key=worst.__getitem__)
+    boards = {pair: sigma for pair, sigma in worst.items() if set(pair) <= set(planes.whole)}
+    if boards and min(boards.values()) <= FAR_WORSE * worst[best]:
+        best = min(boards, key=boards.__getitem__)
+    if not np.isfinite(worst[best]):
+        raise AdjustmentError("No two of the planes found determine the boresight.")
+    return list(best)
+
+
+def _best_addition(
+    planes: Planes, chosen: Sequence[str], pool: Sequence[str], checked: bool
+) -> str | None:
+    """The plane that serves most beside the chosen ones; None where none serves."""
+    others = [name for name in pool if name not in chosen]
+    if not others:
+        return None
+    if not checked:
+        return min(
+            others,
+            key=lambda name: (
+                not planes.are_spread([*chosen, name]),
+                float(planes.sigma_without_one([*chosen, name]).max()),
+                float(planes.sigma([*chosen, name]).max()),
+            ),
+        )
+    sigma = planes.sigma(chosen)
+    left = {name: float((planes.sigma([*chosen, name]) / sigma).min()) for name in others}
+    best = min(left, key=left.__getitem__)
+    return best if left[best] <= WORTH_IT else None

@@ -1,0 +1,140 @@
+"""How often a right survey gets a serious warning that is false.
+
+    python -m tests.false_warnings [SURVEYS] [KIND ...]
+
+A row a kind of survey: boards, boards on two lines only, natural planes proposed by the program,
+targetless, spinning scanner. Only warnings that name an error are counted: a right survey has none.
+Those about the geometry (no redundancy, large standard deviations) are true.
+"""
+
+import sys
+from collections import Counter
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from csv import DictReader
+from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from lispac.adjustment.averaging import averaged
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.doubts import doubts
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.solver import adjust
+from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.simulation.closed_form import exact_survey, observed, six_courses
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.workflow.calibration import estimate
+from lispac.workflow.picking import pick
+from lispac.workflow.proposing import propose
+from lispac.workflow.simulate import TARGETS as TARGETS_LIST
+from lispac.workflow.simulate import simulate
+from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.survey import load_survey
+from lispac.workflow.targetless import targetless
+from tests.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
+from tests.coverage_of_errors import RAW as SPACING
+from tests.natural_scenes import natural_site, opened
+from tests.test_targetless_coverage import surveyed
+
+OF_GEOMETRY = {
+    "large_sigma", "line_unchecked", "target_unchecked", "targets_together", "carried_by_one",
+    "one_facing",
+}  # fmt: skip
+"""Codes of warnings that are true of a right survey too."""
+
+PICKED = {"T1", "T2", "V1"}
+"""Surfaces of the port that the spinning scanner is calibrated on."""
+
+Judged = tuple[AdjustmentResult, CrossChecks | None]
+
+
+def boards(seed: int, courses: int = 6) -> Judged:
+    chance = np.random.default_rng([36, seed])
+    chosen = tuple(six_courses()[k] for k in sorted(chance.choice(6, courses, replace=False)))
+    data = observed(
+        exact_survey(TRUTH, TARGETS, chosen, SPACING, chance, pos=HYDROGRAPHIC_INS),
+        HYDROGRAPHIC_INS, chance,
+    )  # fmt: skip
+    data = averaged(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
+    result = adjust(data, PRIOR, MODEL)
+    return result, cross_checks(data, PRIOR, result)
+
+
+def two_lines(seed: int) -> Judged:
+    return boards(seed, 2)
+
+
+def natural_planes(seed: int) -> Judged:
+    seen = natural_site(seed)
+    project, survey = opened(seen, np.random.default_rng([35, seed]).normal(0, 1.0, 3))
+    proposal = propose(project, survey)
+    solved = estimate(replace(project, targets=proposal.targets), survey)
+    assert solved.result is not None
+    return solved.result, solved.cross_checks
+
+
+def without_targets(seed: int) -> Judged:
+    with TemporaryDirectory() as folder:
+        project, survey, _ = surveyed(Path(folder), seed)
+        return targetless(project, survey, count=16).result, None
+
+
+def spinning(seed: int) -> Judged:
+    made = simulation(
+        "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
+        errors={"boresight_deg": tuple(np.random.default_rng([37, seed]).normal(0, 1, 3))},
+    )  # fmt: skip
+    with TemporaryDirectory() as folder:
+        project, _ = simulate(Path(folder) / "survey", made, seed=seed)
+        survey = load_survey(project)
+        with (project.folder / TARGETS_LIST).open() as rows:
+            seeds = [row for row in DictReader(rows) if row["name"] in PICKED]
+        for row in seeds:
+            place = np.array([float(row[axis]) for axis in "xyz"])
+            project = pick(project, survey, place, name=row["name"])
+        solved = estimate(project, survey)
+    assert solved.result is not None
+    return solved.result, solved.cross_checks
+
+
+KINDS: dict[str, Callable[[int], Judged]] = {
+    "boards": boards, "two lines": two_lines, "natural planes": natural_planes,
+    "targetless": without_targets, "spinning": spinning,
+}  # fmt: skip
+
+
+def false_warnings(kind: str, seed: int) -> tuple[str, ...] | None:
+    """Codes of serious warnings that name an error; None where there is no answer."""
+    try:
+        result, checks = KINDS[kind](seed)
+    except (AdjustmentError, TargetNotFound) as error:
+        print(kind, seed, str(error)[:100])
+        return None
+    found = [each for each in doubts(result, checks) if each.serious]
+    for each in found:
+        if each.code not in OF_GEOMETRY:
+            print(kind, seed, each.code, each.text[:260], flush=True)
+    return tuple({each.code for each in found if each.code not in OF_GEOMETRY})
+
+
+def row(kind: str, surveys: int) -> str:
+    with ProcessPoolExecutor(2) as pool:
+        answers = list(pool.map(false_warnings, [kind] * surveys, range(surveys), chunksize=2))
+    known = [each for each in answers if each is not None]
+    codes = Counter(code for each in known for code in each)
+    shares = ", ".join(f"{code} {100 * n / len(known):.1f} %" for code, n in codes.most_common())
+    return f"{kind:16s} {len(known):4d} answers   {shares or 'none'}"
+
+
+def main() -> None:
+    """Print the table."""
+    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
+    for kind in sys.argv[2:] or KINDS:
+        print(row(kind, surveys), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,162 @@
+"""Do the stated sigmas hold where the targets are proposed? Many random scenes without boards.
+
+    python -m tests.natural_scenes [SCENES]
+
+Roofs, walls, ground, vehicles and tarpaulins of random size, inclination and form error, seen from
+two to six lines. Prints how many scenes gave a proposal, the share of 95 % intervals that hold, for
+each angle, the ratio of stated and predicted sigmas, and the serious warnings.
+"""
+
+import sys
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from lispac.adjustment.doubts import doubts
+from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.project import Project
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.simulation.scanner import Echoes
+from lispac.simulation.scene import Rectangle, tilted
+from lispac.survey.trajectory import TrajectoryAccuracy
+from lispac.workflow.calibration import estimate
+from lispac.workflow.proposing import propose
+from lispac.workflow.survey import Survey
+from tests.finder_scenes import WALL, Site, site
+
+FORMS = {"flat": 0.4, "bent": 0.3, "rough": 0.3}
+"""Kinds of surfaces and how often each occurs."""
+PULSES = 60_000.0
+
+
+def surfaces(chance: np.random.Generator) -> list[Rectangle]:
+    """Six to fourteen surfaces, the first two of them ground and a wall."""
+    found = [
+        tilted("T-ground", (0.0, WALL - 3.0, 4.0), 14.0, 8.0, 270, 85),
+        tilted(
+            "T-wall", (chance.uniform(-3, 3), WALL - 5.0, 7.0), 6.0, 5.0,
+            chance.uniform(240, 300), 0,
+        ),
+    ]  # fmt: skip
+    for k in range(chance.integers(4, 13)):
+        centre = (chance.uniform(-5, 5), WALL - chance.uniform(-2, 4), chance.uniform(4.5, 9.5))
+        width, height = np.exp(chance.uniform(np.log(0.7), np.log(3.5), 2))
+        facing, elevation = 270 + chance.normal(0, 35), abs(chance.normal(0, 35))
+        found.append(tilted(f"T{k}", centre, width, height, facing, min(elevation, 80.0)))
+    return found
+
+
+def formed(echoes: Echoes, scene: list[Rectangle], chance: np.random.Generator) -> Echoes:
+    """Echoes of surfaces that are not flat; every line sees the same shape."""
+    along = np.zeros(len(echoes.time))
+    beams = echoes.points_lidar / np.linalg.norm(echoes.points_lidar, axis=1)[:, None]
+    for k, surface in enumerate(scene):
+        own = echoes.label == k
+        place = echoes.true_points_local[own] - surface.centre
+        up = np.cross(surface.normal, surface.across)
+        u, v = place @ surface.across, place @ up
+        form = chance.choice(list(FORMS), p=list(FORMS.values()))
+        bends, phases = chance.normal(0, 1, 3), chance.uniform(0, 2 * np.pi, (6, 2))
+        waves = 2 * np.pi * chance.normal(0, 1 / 0.8, (6, 2))
+        size = np.exp(chance.uniform(np.log(0.005), np.log(0.06)))
+        off = np.zeros(len(u))
+        if form == "bent":
+            shape = bends[0] * u**2 + bends[1] * u * v + bends[2] * v**2
+            off = size * shape / (np.abs(bends).sum() * max(surface.width, surface.height) ** 2 / 4)
+        elif form == "rough":
+            for wave, phase in zip(waves, phases, strict=True):
+                off += size / 6 * np.sin(wave[0] * u + wave[1] * v + phase[0])
+        along[own] = off
+    return replace(echoes, points_lidar=echoes.points_lidar + along[:, None] * beams)
+
+
+def natural_site(seed: int) -> Site:
+    """A scene of its own for every seed, two, four or six lines past it."""
+    chance = np.random.default_rng([34, seed])
+    scene = surfaces(chance)
+    seen = site(
+        scene, lines=int(chance.choice([2, 4, 6])), seed=seed, pulses_per_second=PULSES, near=9.0
+    )
+    forms = int(chance.integers(2**31))
+    echoes = {
+        name: formed(each, scene, np.random.default_rng(forms))
+        for name, each in seen.echoes.items()
+    }
+    return replace(seen, echoes=echoes)
+
+
+def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
+    """With the standard deviations of the POS that were simulated."""
+    project, survey = seen.opened(off_deg)
+    position, attitude = HYDROGRAPHIC_INS.sigma_position, HYDROGRAPHIC_INS.sigma_attitude
+    degrees = tuple(float(np.degrees(each)) for each in attitude)
+    settings = replace(project.settings, position_sigma=position, attitude_sigma_deg=degrees)
+    accuracy = TrajectoryAccuracy.constant(np.array(position), np.array(attitude))
+    return project.with_settings(settings), replace(survey, accuracy=accuracy)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a scene gave: nothing but a reason, or error and sigmas in degrees, shape (3,)."""
+
+    reason: str = ""
+    error: np.ndarray | None = None
+    sigma: np.ndarray | None = None
+    predicted: np.ndarray | None = None
+    targets: int = 0
+    lines: int = 0
+    serious: tuple[str, ...] = ()
+
+
+def answer(seed: int) -> Answer:
+    """Propose, adjust, compare with the truth."""
+    seen = natural_site(seed)
+    off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
+    project, survey = opened(seen, off)
+    try:
+        proposal = propose(project, survey)
+        solved = estimate(replace(project, targets=proposal.targets), survey)
+    except (TargetNotFound, AdjustmentError) as error:
+        return Answer(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
+    result = solved.result
+    assert result is not None
+    return Answer(
+        "",
+        np.degrees(result.boresight - seen.boresight),
+        np.degrees(result.sigma),
+        np.degrees(proposal.sigma),
+        sum(target.role == "target" for target in proposal.targets),
+        len(seen.echoes),
+        tuple(d.code for d in doubts(result, solved.cross_checks) if d.serious),
+    )
+
+
+def study(scenes: int, workers: int = 2) -> list[Answer]:
+    with ProcessPoolExecutor(workers) as pool:
+        return list(pool.map(answer, range(scenes)))
+
+
+def main() -> None:
+    """Print the study."""
+    scenes = int(sys.argv[1]) if len(sys.argv) > 1 else 200
+    answers = study(scenes)
+    for seed, each in enumerate(answers):
+        if each.error is None or each.sigma is None:
+            print(seed, each.lines, each.reason[:150])
+        else:
+            print(seed, each.lines, each.targets, np.round(each.error, 3), np.round(each.sigma, 3),
+                  np.round(each.error / each.sigma, 1), np.round(each.sigma / each.predicted, 2),
+                  each.serious)  # fmt: skip
+    for label, wanted in (("all", answers), ("calm", [a for a in answers if not a.serious])):
+        known = [a for a in wanted if a.error is not None]
+        hits = np.mean([np.abs(a.error) < 1.96 * a.sigma for a in known], axis=0)
+        ratio = np.median([a.sigma / a.predicted for a in known], axis=0)
+        print(f"{label}: {len(known)} of {scenes} scenes; intervals that hold {100 * hits}; "
+              f"stated over predicted {ratio}")  # fmt: skip
+    print(Counter(code for each in answers for code in each.serious))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,70 @@
+"""Proposals on random scenes without boards: targets that check each other, sigmas that hold."""
+
+from dataclasses import replace
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+
+from lispac.errors import TargetNotFound
+from lispac.workflow.calibration import estimate
+from lispac.workflow.proposing import UNCHECKED, propose
+from lispac.workflow.target_choice import LEAST_TARGETS
+from tests.natural_scenes import natural_site, opened, study
+
+GOOD, TENT, TWO = 5, 7, 59
+"""A scene on six lines, one on four whose surfaces are not flat but for one, and one with two."""
+
+
+def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
+    seen = natural_site(GOOD)
+    project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
+    proposal = propose(project, survey)
+    targets = [target for target in proposal.targets if target.role == "target"]
+    planes = [target for target in proposal.targets if target.role == "validation"]
+    assert len(targets) >= LEAST_TARGETS
+    assert planes
+    assert proposal.warnings == ()
+    for plane, target in product(planes, targets):
+        for one, other in product(plane.sightings, target.sightings):
+            assert one.line != other.line or not np.isin(one.indices, other.indices).any()
+    accepted = replace(project, targets=proposal.targets)
+    result = estimate(accepted, survey, cross_check=False).result
+    assert result is not None
+    assert result.sigma == pytest.approx(proposal.sigma, rel=1e-6)
+    assert (np.abs(result.boresight - seen.boresight) < 3.3 * result.sigma).all()
+    # Each angle is determined without any one of the targets.
+    for kept in combinations(targets, len(targets) - 1):
+        part = estimate(replace(project, targets=kept), survey, cross_check=False).result
+        assert part is not None
+        assert (part.sigma < 5 * result.sigma).all()
+
+
+def test_a_scene_without_flat_surfaces_is_refused() -> None:
+    project, survey = opened(natural_site(TENT), np.zeros(3))
+    with pytest.raises(TargetNotFound, match="targetless"):
+        propose(project, survey)
+
+
+def test_targets_that_do_not_check_each_other_are_named() -> None:
+    """The scene has two flat surfaces only, and one of them alone does not give the angles."""
+    project, survey = opened(natural_site(TWO), np.zeros(3))
+    proposal = propose(project, survey)
+    assert [target.role for target in proposal.targets].count("target") == 2
+    codes = [warning.code for warning in proposal.warnings]
+    assert UNCHECKED & set(codes)
+    assert codes[-1] == "proposal_unchecked"
+
+
+@pytest.mark.long
+@pytest.mark.timeout(3600)
+def test_intervals_hold_on_two_hundred_scenes() -> None:
+    answers = [each for each in study(200) if each.error is not None]
+    assert len(answers) >= 150
+    calm = [each for each in answers if not each.serious]
+    assert len(calm) >= 100
+    held = np.mean([np.abs(each.error) < 1.96 * each.sigma for each in calm], axis=0)
+    print(f"{len(calm)} of {len(answers)} scenes without a serious warning: {held}")
+    assert ((held >= 0.90) & (held <= 0.98)).all(), held
+    ratio = np.array([each.sigma / each.predicted for each in answers])
+    assert (np.abs(ratio - 1) < 0.2).all()
