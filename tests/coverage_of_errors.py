@@ -23,7 +23,8 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Settings
 from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from lispac.survey.georeferencing import Mounting
+from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.trajectory import Poses
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -49,14 +50,28 @@ def _of_line(data: Observations, chance: np.random.Generator) -> np.ndarray:
 
 
 def curved(data: Observations, chance: np.random.Generator) -> Observations:
-    """Boards bent by up to 10 mm, of which each line sees another part best."""
-    off = np.zeros(len(data))
-    for target in range(len(data.targets)):
-        own = data.target_of_sighting[data.sighting] == target
-        height = data.points_lidar[own, 2]
-        place = (height - height.mean()) / np.ptp(height)
-        off[own] = chance.normal(0, 0.01) * (4 * place**2 - 1)
-    return _along_beams(data, off)
+    """Boards bent by some 10 mm, of which each line sees another part, three fifths of the height.
+
+    All lines see the same bent surface: points move along their beams as far as the board is off
+    its plane along the normal.
+    """
+    boards = {each.name: each for each in TARGETS}
+    poses = Poses(data.position, data.attitude)
+    near = place(data.points_lidar, poses, TRUTH)
+    beams = place(1.1 * data.points_lidar, poses, TRUTH) - near
+    beams /= np.linalg.norm(beams, axis=1)[:, None]
+    off, seen = np.zeros(len(data)), np.zeros(len(data), dtype=bool)
+    bends = {name: chance.normal(0, 0.01) for name in boards}
+    for k, sighting in enumerate(data.sightings):
+        board, own = boards[sighting.target], data.sighting == k
+        normal = board.facing
+        up = np.cross(np.cross(normal, [0.0, 0.0, 1.0]), normal)
+        height = (near[own] - board.centre) @ (up / np.linalg.norm(up)) / board.height
+        bend = bends[board.name] * 4 * height**2
+        off[own] = bend / (beams[own] @ normal)
+        first = chance.uniform(-0.5, -0.1)
+        seen[own] = (height >= first) & (height <= first + 0.6)
+    return _along_beams(data, off).where(seen)
 
 
 def rough(data: Observations, chance: np.random.Generator) -> Observations:

@@ -20,6 +20,8 @@ from lispac.project import Project
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes
 from lispac.simulation.scene import Rectangle, tilted
+from lispac.simulation.survey import LEVER_ARM
+from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.calibration import estimate
 from lispac.workflow.proposing import propose
@@ -48,8 +50,15 @@ def surfaces(chance: np.random.Generator) -> list[Rectangle]:
     return found
 
 
-def formed(echoes: Echoes, scene: list[Rectangle], chance: np.random.Generator) -> Echoes:
-    """Echoes of surfaces that are not flat; every line sees the same shape."""
+def formed(
+    echoes: Echoes, beams_local: np.ndarray, scene: list[Rectangle], chance: np.random.Generator
+) -> Echoes:
+    """Echoes of surfaces that are not flat; every line sees the same shape.
+
+    Parameters
+    ----------
+    beams_local : ndarray of shape (n, 3), unit vectors, local frame
+    """
     along = np.zeros(len(echoes.time))
     beams = echoes.points_lidar / np.linalg.norm(echoes.points_lidar, axis=1)[:, None]
     for k, surface in enumerate(scene):
@@ -68,7 +77,9 @@ def formed(echoes: Echoes, scene: list[Rectangle], chance: np.random.Generator) 
         elif form == "rough":
             for wave, phase in zip(waves, phases, strict=True):
                 off += size / 6 * np.sin(wave[0] * u + wave[1] * v + phase[0])
-        along[own] = off
+        # Along the beam as far as the surface is displaced along its normal.
+        along[own] = off / np.maximum(np.abs(beams_local[own] @ surface.normal), 0.1)
+        along[own] *= -np.sign(beams_local[own] @ surface.normal)
     return replace(echoes, points_lidar=echoes.points_lidar + along[:, None] * beams)
 
 
@@ -80,10 +91,15 @@ def natural_site(seed: int) -> Site:
         scene, lines=int(chance.choice([2, 4, 6])), seed=seed, pulses_per_second=PULSES, near=9.0
     )
     forms = int(chance.integers(2**31))
-    echoes = {
-        name: formed(each, scene, np.random.default_rng(forms))
-        for name, each in seen.echoes.items()
-    }
+    mounting = Mounting(np.array(LEVER_ARM), seen.boresight)
+    echoes = {}
+    for name, each in seen.echoes.items():
+        near, far = (
+            georeference(scale * each.points_lidar, each.time, seen.trajectory, mounting)
+            for scale in (1.0, 1.1)
+        )
+        beams = (far - near) / np.linalg.norm(far - near, axis=1)[:, None]
+        echoes[name] = formed(each, beams, scene, np.random.default_rng(forms))
     return replace(seen, echoes=echoes)
 
 

@@ -155,6 +155,7 @@ def environment_of(home: Path | str | None) -> dict[str, str]:
     """Variables of a process with this home directory and no other folders of the user's."""
     own = (*caches.VARIABLES, "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME")
     variables = {name: value for name, value in os.environ.items() if name not in own}
+    variables["PYTHONWARNINGS"] = "default"  # these folders are warned of
     return variables if home is None else variables | {"HOME": str(home)}
 
 

@@ -12,7 +12,7 @@ from lispac.adjustment.critical import rarely_more
 from lispac.adjustment.doubt import MOST_NAMED, some
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import Contradiction, Unchecked, UnlikeRadii
+from lispac.adjustment.result import CommonPart, Contradiction, Unchecked, UnlikeRadii
 from lispac.adjustment.scatter import raised
 from lispac.adjustment.shown import listed
 from lispac.adjustment.stochastic import StochasticModel
@@ -68,6 +68,16 @@ def _excluded(project: Project) -> Project:
     assert project.result is not None
     names = tuple(target.name for target in project.targets[:2])
     return replace(project, result=replace(project.result, excluded_targets=names))
+
+
+def _cut(share: float) -> Callable[[Project], Project]:
+    def change(project: Project) -> Project:
+        assert project.result is not None
+        lines = tuple(line.name for line in project.lines[:2]) if share else ()
+        part = CommonPart(project.targets[0].name, share, lines)
+        return replace(project, result=replace(project.result, common_parts=(part,)))
+
+    return change
 
 
 def _radii(cause: str, value: float = 0.0) -> Callable[[Project], Project]:
@@ -190,6 +200,8 @@ CASES = [
     ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
                                         angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
     ("target_excluded", False, _excluded, "other targets and lines: T1 and T2"),
+    ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
+    ("target_parts", False, _cut(0.0), "not shown to be flat: T1"),
     ("unlike_radii", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
     ("unlike_radii", True, _radii("pitch_sign"), "They agree with the sign of pitch turned"),
     ("unlike_radii", True, _radii("latency", -0.02), "They agree with latency 20.00 ms smaller"),

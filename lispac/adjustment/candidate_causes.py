@@ -11,7 +11,7 @@ The unknowns of all candidates are eliminated together, so that the cost is that
 of the normal equations.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,11 +36,16 @@ PRIOR_SIGMA = {
 }  # fmt: skip
 """Metres, radians or seconds: size that an error of each kind has where it occurs. The evidence
 depends on its logarithm alone."""
+FORM_SIGMA = (0.01, 0.03, 0.1)
+"""Metres: by how much the sightings of a target can differ that is no single flat surface."""
 CLEARLY = 6.0
 """Twice the logarithm of the Bayes factor from which a candidate is clearly better than another: 20
 to 1, "strong" by Kass and Raftery (1995)."""
 ENOUGH = 10.0
 """That from which there is another error besides those found: 150 to 1, "very strong"."""
+VISIBLE = 1.5e-4
+"""Metres: RMS of what an error does to the points beyond what all other unknowns explain, at least.
+Even a good board bends by more over its sighting, and the model has no term for that."""
 MOST_CAUSES = 3
 """Errors that are sought one after the other."""
 MOST_NAMED = 4
@@ -86,7 +91,9 @@ def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...]
         judged.sort(key=lambda item: -item[0])
         if not judged or judged[0][0] < ENOUGH:
             break
-        fitting = [item for item in judged if judged[0][0] - item[0] < CLEARLY]
+        if judged[0][1].visible((*given, judged[0][2])) < VISIBLE:
+            break
+        fitting = _each_once(item for item in judged if judged[0][0] - item[0] < CLEARLY)
         found.append(
             tuple(
                 solution.cause((*given, each), evidence, moved)
@@ -96,6 +103,14 @@ def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...]
         given = (*given, judged[0][2])
         moved = judged[0][1].angles_with(given)
     return tuple(found)
+
+
+def _each_once(judged: Iterable["_Judged"]) -> list["_Judged"]:
+    """The best candidate of each kind and place: one target with several sizes of its error."""
+    found: dict[tuple[str, str, str], _Judged] = {}
+    for item in judged:
+        found.setdefault((item[2].kind, item[2].target, item[2].line), item)
+    return list(found.values())
 
 
 def _likeliest(
@@ -128,11 +143,13 @@ class _Candidate:
     columns: Indices
     share: float
     """Of the candidates of its kind: each place is as likely as any other."""
+    sigma: float
+    """Prior standard deviation of each unknown."""
 
     @property
     def scale(self) -> Array:
-        """Prior standard deviation of each unknown, shape (k,)."""
-        return np.full(len(self.columns), PRIOR_SIGMA[self.kind])
+        """Prior standard deviations, shape (k,)."""
+        return np.full(len(self.columns), self.sigma)
 
     def apart_from(self, others: Sequence["_Candidate"]) -> bool:
         """Whether it has unknowns of its own."""
@@ -154,6 +171,8 @@ class _Equations:
         As in `Linearised`.
     effect : ndarray of shape (c, c)
         Mean square of the misclosures, by the candidates' unknowns.
+    weight : float, 1 / metres^2
+        Sum of the weights of all misclosures.
     """
 
     matrix: Array
@@ -162,6 +181,7 @@ class _Equations:
     errors: Indices
     departures: Array
     effect: Array
+    weight: float
     candidates: tuple[_Candidate, ...]
 
     @classmethod
@@ -182,12 +202,15 @@ class _Equations:
         base = np.setdiff1d(np.arange(layout.size), own)
         errors = np.concatenate([own, surfaces, np.arange(layout.size, len(matrix))])
         offset = len(layout.active) + 3  # the shape's offset moves every misclosure by as much
-        effect = matrix[np.ix_(errors, errors)] / every.sums[:, offset, offset].sum()
+        weight = float(every.sums[:, offset, offset].sum())
+        effect = matrix[np.ix_(errors, errors)] / weight
         half = forward(every.normal.factor, mixed.T)
         matrix -= half.T @ half
         right -= half.T @ every.normal.halved_pull
         candidates = tuple(_candidates(every.problem, [each.name for each in omitted]))
-        return cls((matrix + matrix.T) / 2, right, base, errors, departures, effect, candidates)
+        return cls(
+            (matrix + matrix.T) / 2, right, base, errors, departures, effect, weight, candidates
+        )
 
     def solved(self, sigma: Array) -> "_Solution":
         """Solve the model without any error, with sigmas of tilts and offsets of shape (3,)."""
@@ -221,6 +244,7 @@ class _Equations:
             back.T @ own,
             back.T @ by_errors,
             self.effect,
+            self.weight,
         )
 
 
@@ -240,6 +264,8 @@ class _Solution:
         What one unit of each candidate's unknown takes off the angles.
     effect : ndarray of shape (c, c)
         As in `_Equations`.
+    weight : float, 1 / metres^2
+        As in `_Equations`.
     """
 
     information: Array
@@ -248,6 +274,14 @@ class _Solution:
     angles: Array
     by_errors: Array
     effect: Array
+    weight: float
+
+    def visible(self, errors: tuple[_Candidate, ...]) -> float:
+        """RMS of what the last of some errors does beyond what the others explain, metres."""
+        columns, size, _ = self._sizes(errors)
+        last = errors[-1].columns
+        own = size[len(columns) - len(last) :]
+        return float(np.sqrt(own @ self.information[np.ix_(last, last)] @ own / self.weight))
 
     def likelihood(self, errors: tuple[_Candidate, ...]) -> float:
         """Twice the log of the marginal likelihood with some errors."""
@@ -322,24 +356,34 @@ def _omitted(problem: Problem) -> list[Parameter]:
 def _candidates(problem: Problem, omitted: Sequence[str]) -> Iterator[_Candidate]:
     """All candidates; columns in the order of `_Equations.errors`."""
     observations = problem.observations
+
+    def candidate(kind: str, target: str, line: str, columns: Indices, share: float) -> _Candidate:
+        return _Candidate(kind, target, line, columns, share, PRIOR_SIGMA[kind])
+
     for k, name in enumerate(omitted):
-        yield _Candidate(name, "", "", np.array([k]), 1.0)
+        yield candidate(name, "", "", np.array([k]), 1.0)
     first, count = len(omitted), len(observations.sightings)
     spheres = observations.is_sphere[observations.target_of_sighting]
+    of_target: dict[str, list[Indices]] = {}
     for s, sighting in enumerate(observations.sightings):
         own = first + AXES * s + np.arange(AXES)
         where = sighting.target, sighting.line
-        yield _Candidate("sighting_shift", *where, own[2:], 1 / count)
+        of_target.setdefault(sighting.target, []).append(own[2:] if spheres[s] else own)
+        yield candidate("sighting_shift", *where, own[2:], 1 / count)
         if not spheres[s]:
-            yield _Candidate("sighting_surface", *where, own, 1 / count)
+            yield candidate("sighting_surface", *where, own, 1 / count)
+    for target, parts in of_target.items():
+        share = 1 / (len(of_target) * len(FORM_SIGMA))
+        for sigma in FORM_SIGMA:
+            yield _Candidate("target_surface", target, "", np.concatenate(parts), share, sigma)
     first, count = first + AXES * count, len(observations.lines)
     has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
         own = first + (OF_LINE + has_times) * k + np.arange(OF_LINE + has_times)
-        yield _Candidate("line_position", "", line, own[:AXES], 1 / count)
-        yield _Candidate("line_boresight", "", line, own[AXES:OF_LINE], 1 / count)
+        yield candidate("line_position", "", line, own[:AXES], 1 / count)
+        yield candidate("line_boresight", "", line, own[AXES:OF_LINE], 1 / count)
         if has_times:
-            yield _Candidate("line_time", "", line, own[OF_LINE:], 1 / count)
+            yield candidate("line_time", "", line, own[OF_LINE:], 1 / count)
 
 
 def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
@@ -381,3 +425,7 @@ def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
         mixed[place, 6 * knot : 6 * knot + 12] += products[g, :, own : own + 12]
         right[place] -= products[g, :, -1]
     return matrix[:-1, :-1], right, mixed
+
+
+_Judged = tuple[float, _Solution, _Candidate]
+"""Evidence for a candidate, and the solution and candidate."""

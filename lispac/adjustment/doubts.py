@@ -253,6 +253,31 @@ def _excluded_targets(result: AdjustmentResult, _: CrossChecks | None) -> Iterat
         )
 
 
+def _common_parts(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
+    """Targets of which the lines show different parts that are not shown to be one plane."""
+    cut = [each for each in result.common_parts if each.share > 0.0]
+    excluded = [each.target for each in result.common_parts if each.share == 0.0]
+    if cut:
+        named = some(
+            [f"{100 * each.share:.0f}\u00a0% of the points of {each.target}" for each in cut]
+        )
+        yield Doubt(
+            "target_cut",
+            False,
+            "Lines show different parts of a surface that is not shown to be flat, so only the "
+            f"common part is used: {named}. Pick smaller targets.",
+            Cause.of_target(cut[0].target),
+        )
+    if excluded:
+        yield Doubt(
+            "target_parts",
+            False,
+            f"Excluded, because lines show different parts of it and it is not shown to be flat: "
+            f"{some(excluded)}. Pick a part that two lines show.",
+            Cause.of_target(excluded[0]),
+        )
+
+
 RADII_AGREE = {
     "roll_sign": "with the sign of roll turned",
     "pitch_sign": "with the sign of pitch turned",
@@ -329,6 +354,7 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Doubt]], 
     _parts,
     _unchecked,
     _excluded_targets,
+    _common_parts,
     _radii,
     _shorter_times,
     _raised,

@@ -80,12 +80,15 @@ def cause_doubts(
     """
     causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
     explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
-    found = [
-        doubt
-        for group in causes
-        if group not in explained
-        for doubt in (_one(result, group[0]) if len(group) == 1 else _several(group))
-    ]
+    unexplained = [group for group in causes if group not in explained]
+    if _has_too_few_lines(result):
+        found = list(_not_located(unexplained))
+    else:
+        found = [
+            doubt
+            for group in unexplained
+            for doubt in (_one(result, group[0]) if len(group) == 1 else _several(group))
+        ]
     jumped = _jumped(result, causes)
     if any(len(group) == 1 and group[0].kind in SWITCHED for group in causes):
         others = [each for each in others if each.code != "surfaces_differ"]
@@ -104,6 +107,24 @@ def cause_doubts(
     if explained or jumped or len(kept) < len(others):
         found.append(_consequence(known, explained))
     return (*found, *kept)
+
+
+def _has_too_few_lines(result: AdjustmentResult) -> bool:
+    """Whether an error of one line would show nowhere, or as an error of anything else."""
+    seen = result.observability
+    return seen is not None and any(each.kind == "line" for each in seen.unchecked)
+
+
+def _not_located(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Doubt]:
+    if causes:
+        every = [cause for group in causes for cause in group]
+        yield Doubt(
+            "cause_not_located",
+            False,
+            "The residuals contradict the model. There are too few lines to tell the cause; "
+            f"possible causes: {_phrases(every)}. Add lines.",
+            _place(every[0]),
+        )
 
 
 def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Doubt]:
@@ -140,6 +161,15 @@ def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Doubt]:
             f"The point times of line {cause.line} are {_off(cause)}. Check the time base and the "
             "time shift of the line, or exclude it.",
             Cause.of_line(cause.line),
+        )
+    elif cause.kind == "target_surface":
+        yield Doubt(
+            "target_not_flat",
+            False,
+            f"The residuals contradict the model, and the likeliest cause is that target "
+            f"{cause.target} is not one flat surface for all lines. Exclude it, or pick a smaller "
+            "part of it.",
+            Cause.of_target(cause.target),
         )
     elif not _named_already(result, cause):
         yield Doubt(
@@ -246,6 +276,8 @@ def _phrase(cause: CandidateCause) -> str:
         return f"point times of line {cause.line} {_off(cause)}"
     if cause.kind == "sighting_surface":
         return f"another surface under {cause.target} on line {cause.line}"
+    if cause.kind == "target_surface":
+        return f"target {cause.target} not one flat surface"
     return f"target {cause.target} off by {mm(_length(cause))}\u00a0mm on line {cause.line}"
 
 
@@ -267,6 +299,8 @@ def _length(cause: CandidateCause) -> float:
 def _place(cause: CandidateCause) -> Cause:
     if cause.kind in SWITCHED:
         return Cause.of_parameter(cause.kind)
+    if not cause.line:
+        return Cause.of_target(cause.target)
     return (
         Cause.of_sighting(cause.target, cause.line) if cause.target else Cause.of_line(cause.line)
     )

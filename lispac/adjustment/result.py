@@ -286,6 +286,24 @@ class CandidateCause:
     evidence: float
 
 
+@dataclass(frozen=True)
+class CommonPart:
+    """What is used of a target of which the lines show different parts.
+
+    Attributes
+    ----------
+    target : str
+    share : float
+        Of its points; 0 where it is excluded.
+    lines : tuple of str
+        Whose sightings are used.
+    """
+
+    target: str
+    share: float
+    lines: tuple[str, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class AdjustmentResult:
     """Boresight, its uncertainty, and how well the model fits.
@@ -334,6 +352,8 @@ class AdjustmentResult:
         Of the balls.
     excluded_targets : tuple of str
         Targets no point of which agrees with the others. They take no part in the result.
+    common_parts : tuple of CommonPart
+        Targets of which the lines show different parts.
     """
 
     mounting: Mounting
@@ -364,6 +384,7 @@ class AdjustmentResult:
     stated_times: tuple[float, float] | None = None
     unlike_radii: tuple[UnlikeRadii, ...] = ()
     excluded_targets: tuple[str, ...] = ()
+    common_parts: tuple[CommonPart, ...] = ()
 
     @property
     def surfaces(self) -> Array:

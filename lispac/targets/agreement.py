@@ -39,6 +39,8 @@ LEAST_OVERLAP = 0.5
 round."""
 SAME_SIZE = 0.8
 """Ratio of the sides from which two outlines count as complete views of one surface."""
+BOARD = 2.0
+"""Search radius for boards, metres."""
 SPHERE_CENTRE = 0.5
 """Standard deviation of a sphere's centre from one line, in radii: a line sees part of it only."""
 
@@ -86,7 +88,8 @@ def agreeing(
     accuracy : PlacementAccuracy
         Of these lines.
     radius : float, metres
-        Search radius. Planes that it cuts are not compared by their outlines.
+        Search radius. Planes that it cuts, and large ones, are not compared by their outlines:
+        lines may show different parts of a deck or a wall.
     first_line : str or None
         The line that was clicked, if it is known. Its sighting is never rejected.
 
@@ -109,7 +112,8 @@ def agreeing(
         for name, each in seen.items()
         if name not in rejected and isinstance(each.patch, PlanePatch)
     }
-    if len(planes) > 1 and ends_within(radius, [each.extent for each in planes.values()]):
+    extents = [each.extent for each in planes.values()]
+    if len(planes) > 1 and ends_within(min(radius, BOARD), extents):
         rejected |= _apart(planes, accuracy, first_line)
         largest = np.max([planes[n].extent for n in planes if n not in rejected], axis=0)
         reject(lambda first, second: _beside(first, second, accuracy, largest))

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.averaging import averaged
+from lispac.adjustment.common_parts import common_parts
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.shown import plain
+from lispac.adjustment.result import AdjustmentResult, CommonPart
+from lispac.adjustment.shown import listed, plain
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
 from lispac.doubles import seen_once
@@ -289,7 +290,7 @@ def solve(
     """
     settings, prior = project.settings, project.mounting("prior")
     with _with_reasons(project, survey):
-        observations = _chosen(project, selected, survey)
+        observations, parts = _chosen(project, selected, survey)
         result = adjust(
             observations,
             prior,
@@ -299,6 +300,7 @@ def solve(
             accept_one_facing=settings.accept_one_facing,
             progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
         )
+    result = replace(result, common_parts=parts)
     observations = observations.without_targets(result.excluded_targets)
     solved = project.with_result(_advised(result, observations) if advise else result)
     return _checked(solved, observations, part(progress, 0.4, 1.0)) if cross_check else solved
@@ -318,7 +320,7 @@ def check(
     result is the same but for the sentence on a further line.
     """
     assert project.result is not None
-    observations = _chosen(project, selected, survey)
+    observations, _ = _chosen(project, selected, survey)
     observations = observations.without_targets(project.result.excluded_targets)
     advised = replace(project, result=_advised(project.result, observations))
     return _checked(advised, observations, progress) if cross_check else advised
@@ -334,12 +336,29 @@ def _advised(result: AdjustmentResult, observations: Observations) -> Adjustment
     return replace(result, observability=replace(seen, sentences=(*seen.sentences, said)))
 
 
-def _chosen(project: Project, selected: Project, survey: Survey) -> Observations:
-    """The points of ``selected`` on the sightings that the project uses."""
+def _chosen(
+    project: Project, selected: Project, survey: Survey
+) -> tuple[Observations, tuple[CommonPart, ...]]:
+    """The points of ``selected`` on the sightings that the project uses, and what was cut.
+
+    Raises
+    ------
+    AdjustmentError
+        Where no two lines show a common part of any target.
+    """
     near = selected.result.mounting if selected.result else project.mounting("prior")
-    return observations_of(
+    observations = observations_of(
         project.with_points_of(selected), survey, settings=project.settings, mounting=near
     )
+    if selected.result is None:  # the prior boresight displaces the lines
+        return observations, ()
+    observations, parts = common_parts(observations, near)
+    if not len(observations):
+        raise AdjustmentError(
+            f"The lines show different parts of every target ({listed([p.target for p in parts])})"
+            ", and these are not flat enough to be one plane; seed surfaces that lines share."
+        )
+    return observations, parts
 
 
 def _checked(project: Project, observations: Observations, progress: Progress) -> Project:

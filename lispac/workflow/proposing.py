@@ -46,8 +46,6 @@ MOSTLY = 0.5
 of more than three times the LiDAR noise is poor, and so are ripples and bends. One that is poor or
 whose flatness is doubtful on so many is proposed for validation at most, where there are too few
 others."""
-TRIALS = 3
-"""Adjustments of the chosen targets, each without the planes that the one before rejected."""
 SHARED = 0.01
 """Share of the points of a plane from which it overlaps another one."""
 UNCHECKED = {"target_unchecked", "targets_together", "carried_by_one"}
@@ -82,9 +80,9 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     """Propose targets and validation planes; the project stays as it is.
 
     Of the flat planes those are targets that determine the angles best and check each other (see
-    `lispac.workflow.target_choice`). They are adjusted; planes of which the adjustment rejects a
-    sighting are not flat or not one surface, and the choice is made again without them. The others
-    that two opposite lines have seen are for validation, spread in height and range.
+    `lispac.workflow.target_choice`). They are adjusted; planes that are not flat with the estimated
+    boresight, or of which the adjustment rejects a sighting, are replaced. The others that two
+    opposite lines have seen are for validation, spread in height and range.
 
     Raises
     ------
@@ -123,7 +121,7 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     if len(flat) < 2:
         raise TargetNotFound(_too_few(project, len(flat), list(judged.values())))
     progress(0.9, "Choosing the targets")
-    chosen, result, planes = _chosen(project, survey, flat, named)
+    chosen, result, planes = _chosen(project, survey, flat, named, judged)
     left = [name for name in named if judged[name].use == "any" and name not in chosen]
     spare = [name for name in named if judged[name].use == "at need"]
     apart = [
@@ -150,17 +148,23 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
 
 
 def _chosen(
-    project: Project, survey: Survey, flat: Sequence[Target], named: Mapping[str, DetectedPlane]
+    project: Project,
+    survey: Survey,
+    flat: Sequence[Target],
+    named: Mapping[str, DetectedPlane],
+    judged: dict[str, "_Judged"],
 ) -> tuple[list[str], AdjustmentResult, Planes]:
     """Names of the targets to propose, their adjustment, and the planes they were chosen from.
 
+    Planes that turn out not to be flat are marked so in ``judged``.
+
     Raises
     ------
+    TargetNotFound
     AdjustmentError
     """
-    candidates, trials = list(flat), 0
+    candidates = list(flat)
     while True:
-        trials += 1
         everything = replace(project, targets=tuple(candidates), result=None)
         planes = _planes(everything, survey, {each.name: named[each.name] for each in candidates})
         chosen = chosen_targets(planes)
@@ -170,18 +174,23 @@ def _chosen(
             for each in candidates
             if each.name == name
         )
-        trying = replace(project, targets=targets, result=None)
-        result = estimate(trying, survey, cross_check=False).result
+        solved = estimate(replace(project, targets=targets, result=None), survey, cross_check=False)
+        result = solved.result
         assert result is not None
-        suspects = {sighting.target for sighting in result.suspects}
-        suspects |= set(result.excluded_targets)
+        suspects = {sighting.target for sighting in result.suspects} | set(result.excluded_targets)
+        # With the prior boresight a bend may be its work; with the estimated one it is a bend.
+        now = _judged(solved, survey)
         rejected = {
-            name for name, target in zip(chosen, targets, strict=True) if target.name in suspects
+            name
+            for name, target in zip(chosen, targets, strict=True)
+            if target.name in suspects or not now[target.name].flat
         }
-        left = [each for each in candidates if each.name not in rejected]
-        if not rejected or len(left) < LEAST_TARGETS or trials == TRIALS:
+        if not rejected:
             return chosen, result, planes
-        candidates = left
+        judged |= {name: replace(judged[name], use="not flat", flat=False) for name in rejected}
+        candidates = [each for each in candidates if each.name not in rejected]
+        if len(candidates) < 2:
+            raise TargetNotFound(_too_few(project, len(candidates), list(judged.values())))
 
 
 def _planes(project: Project, survey: Survey, named: Mapping[str, DetectedPlane]) -> Planes:

@@ -4249,6 +4249,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Examen de leur planéité</translation>
     </message>
     <message>
+        <source>The lines show different parts of every target ({names:list}), and these are not flat enough to be one plane; seed surfaces that lines share.</source>
+        <translation>Les lignes montrent différentes parties de chaque cible ({names}), qui ne sont pas assez planes pour former un seul plan ; placez des points initiaux sur des surfaces que les lignes ont en commun.</translation>
+    </message>
+    <message>
         <source>Choosing the targets</source>
         <translation>Choix des cibles</translation>
     </message>

@@ -2421,6 +2421,30 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>La scène n’offre pas de cibles qui se contrôlent mutuellement. Utilisez la méthode sans cible, qui compense de nombreuses petites surfaces, ou installez des panneaux.</translation>
     </message>
     <message>
+        <source>The residuals contradict the model. There are too few lines to tell the cause; possible causes: {phrases:list}. Add lines.</source>
+        <translation>Les résidus contredisent le modèle. Il y a trop peu de lignes pour en déterminer la cause ; causes possibles : {phrases}. Ajoutez des lignes.</translation>
+    </message>
+    <message>
+        <source>The residuals contradict the model, and the likeliest cause is that target {target:kept} is not one flat surface for all lines. Exclude it, or pick a smaller part of it.</source>
+        <translation>Les résidus contredisent le modèle ; la cause la plus probable est que la cible {target} n’est pas une même surface plane pour toutes les lignes. Excluez-la, ou désignez-en une partie plus petite.</translation>
+    </message>
+    <message>
+        <source>Lines show different parts of a surface that is not shown to be flat, so only the common part is used: {named:list}. Pick smaller targets.</source>
+        <translation>Les lignes montrent différentes parties d’une surface dont la planéité n’est pas démontrée ; seule la partie commune est utilisée : {named}. Désignez des cibles plus petites.</translation>
+    </message>
+    <message>
+        <source>{share:n} % of the points of {target:kept}</source>
+        <translation>{share} % des points de {target}</translation>
+    </message>
+    <message>
+        <source>Excluded, because lines show different parts of it and it is not shown to be flat: {named:list}. Pick a part that two lines show.</source>
+        <translation>Exclue, car les lignes en montrent différentes parties et sa planéité n’est pas démontrée : {named}. Désignez une partie que deux lignes montrent.</translation>
+    </message>
+    <message>
+        <source>target {target:kept} not one flat surface</source>
+        <translation>cible {target} qui n’est pas une même surface plane</translation>
+    </message>
+    <message>
         <source>Without {what} the angles are not determined, so an error of it does not show. Add targets.</source>
         <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des cibles.</translation>
     </message>
