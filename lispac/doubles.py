@@ -155,11 +155,11 @@ def doubts_of(project: Project, also: Iterable[Doubt] = ()) -> tuple[Doubt, ...]
 
 def project_doubts(project: Project) -> tuple[Doubt, ...]:
     """Doubts that follow from picks and files, before any adjustment."""
-    return (*doubles(project), *seen_once(project.targets), *data_warnings(project))
+    return (*doubles(project), *single_line_targets(project.targets), *data_warnings(project))
 
 
-def seen_once(targets: Iterable[Target]) -> tuple[Doubt, ...]:
-    """Targets that take no part because a single line has them."""
+def single_line_targets(targets: Iterable[Target]) -> tuple[Doubt, ...]:
+    """Targets that are excluded because only one line shows them."""
     alone = [
         target
         for target in targets
@@ -170,10 +170,10 @@ def seen_once(targets: Iterable[Target]) -> tuple[Doubt, ...]:
     named = [f"{target.name} on line {target.used_sightings[0].line}" for target in alone]
     return (
         Doubt(
-            "seen_once",
+            "single_line_targets",
             False,
-            f"Targets on one line only take no part, since nothing compares them: {some(named)}. "
-            "Seed them on other lines, or leave them out.",
+            f"Excluded, because only one line shows them: {some(named)}. Seed them on other lines, "
+            "or remove them.",
             Cause.of_target(alone[0].name),
         ),
     )

@@ -22,8 +22,8 @@ from tests.sharing import once
 
 hypothesis.settings.register_profile("same", derandomize=True, deadline=None)
 
-# Warnings are errors in the processes that tests start, as `filterwarnings` makes them in this one.
-os.environ["PYTHONWARNINGS"] = "error"
+# Warnings are errors in the processes that tests start too, but for the deprecations of libraries.
+os.environ["PYTHONWARNINGS"] = "error::RuntimeWarning,error::UserWarning"
 
 LONG = {"test_gui_monkey.py": 40, "test_gui_end_to_end.py": 30, "test_coverage.py": 30}
 """Files of one or a few long tests: as many short ones take as long."""

@@ -136,7 +136,7 @@ class Answer:
 
     error: np.ndarray
     sigma: np.ndarray
-    foreseen: np.ndarray
+    formal: np.ndarray
     serious: tuple[str, ...]
     shortened: bool
 
@@ -146,7 +146,7 @@ def answer(kind: str, seed: int) -> Answer:
     return Answer(
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
-        np.degrees(result.foreseen.sigma),
+        np.degrees(result.with_formal_sigmas.sigma),
         tuple(doubt.code for doubt in doubts(result, None) if doubt.serious),
         result.stated_times is not None,
     )
@@ -173,10 +173,10 @@ def row(kind: str, answers: list[Answer]) -> str:
     def cells(values: np.ndarray) -> str:
         return " ".join(f"{100 * value:5.1f}" for value in values)
 
-    raised = np.mean([each.sigma > 1.05 * each.foreseen for each in answers], axis=0)
+    raised = np.mean([each.sigma > 1.05 * each.formal for each in answers], axis=0)
     codes = Counter(code for each in answers for code in each.serious)
     return (
-        f"{kind:16s} {cells(hits(answers, 'foreseen'))}   {cells(hits(answers))}   {cells(raised)}"
+        f"{kind:16s} {cells(hits(answers, 'formal'))}   {cells(hits(answers))}   {cells(raised)}"
         f"   {100 * (1 - len(calm) / len(answers)):5.1f}   {cells(hits(calm))}   {dict(codes)}"
     )
 
@@ -185,7 +185,7 @@ def main() -> None:
     """Print the whole study."""
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
     print(f"{surveys} surveys a row; roll, pitch, yaw; per cent")
-    print(f"{'error':16s} {'foreseen':18s}  {'stated':18s}  {'raised':18s} serious  without one")
+    print(f"{'error':16s} {'formal':18s}  {'stated':18s}  {'raised':18s} serious  without one")
     for kind in KINDS:
         print(row(kind, study(kind, surveys)), flush=True)
 

@@ -40,7 +40,7 @@ from tests.natural_scenes import natural_site, opened
 from tests.test_targetless_coverage import surveyed
 
 OF_GEOMETRY = {
-    "large_sigma", "line_unchecked", "target_unchecked", "targets_together", "carried_by_one",
+    "large_sigma", "line_unchecked", "target_unchecked", "targets_clustered", "carried_by_one",
     "one_facing",
 }  # fmt: skip
 """Codes of warnings that are true of a right survey too."""

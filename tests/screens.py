@@ -190,7 +190,7 @@ class Photographer:
             "clean or export it again."
         )
         self._ask("error", lambda: dialogs.show_error(bad))
-        self._ask("unforeseen", lambda: dialogs.show_error(ValueError("for the picture")))
+        self._ask("excess_variance", lambda: dialogs.show_error(ValueError("for the picture")))
         self._ask("save-changes", lambda: dialogs.save_changes("harbour"))
         raw = [self._project / "raw"]
         self._ask("import-empty", lambda: dialogs.new_project(self._settings))

@@ -20,7 +20,7 @@ from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.passes import in_chunks
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
-from lispac.adjustment.scatter import unforeseen, with_scatter
+from lispac.adjustment.scatter import excess_variance, with_scatter
 from lispac.adjustment.shapes import fit_shapes
 from lispac.adjustment.shown import significance_words
 from lispac.adjustment.solved import Solved
@@ -267,9 +267,9 @@ def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
     """Two parts of a kind are too few for a jackknife."""
     solved = Solved.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
-    assert unforeseen(solved.here, solved.origins).shape == (3,)
+    assert excess_variance(solved.here, solved.origins).shape == (3,)
     monkeypatch.setattr(scatter, "STRETCHES", 2)
-    np.testing.assert_array_equal(unforeseen(solved.here, solved.origins), np.zeros(3))
+    np.testing.assert_array_equal(excess_variance(solved.here, solved.origins), np.zeros(3))
 
 
 BESIDE_EACH_OTHER = (
@@ -295,11 +295,11 @@ def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
         kept = np.array([each.target != target for each in data.sightings])
         parts.append(adjust(data.of_sightings(kept), TRUTH, model, diagnostics=False))
     off = np.array([part.boresight - whole.boresight for part in parts])
-    foreseen = np.array([part.sigma**2 - whole.sigma**2 for part in parts])
-    expected = 3 / 4 * np.maximum((off**2 - foreseen).sum(axis=0), 0.0)
+    predicted = np.array([part.sigma**2 - whole.sigma**2 for part in parts])
+    expected = 3 / 4 * np.maximum((off**2 - predicted).sum(axis=0), 0.0)
     solved = Solved.of(whole, data, TRUTH)
     assert solved is not None
-    more = unforeseen(solved.here, solved.origins)
+    more = excess_variance(solved.here, solved.origins)
     np.testing.assert_allclose(more, expected, rtol=0.01)
     assert np.count_nonzero(expected) == 2
     raised = with_scatter(whole, solved.here, solved.origins)

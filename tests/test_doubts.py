@@ -12,7 +12,7 @@ from lispac.adjustment.critical import rarely_more
 from lispac.adjustment.doubt import MOST_NAMED, some
 from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import CommonPart, Contradiction, Unchecked, UnlikeRadii
+from lispac.adjustment.result import CommonPart, Contradiction, RadiusDiscrepancy, Unchecked
 from lispac.adjustment.scatter import raised
 from lispac.adjustment.shown import listed
 from lispac.adjustment.stochastic import StochasticModel
@@ -83,8 +83,8 @@ def _cut(share: float) -> Callable[[Project], Project]:
 def _radii(cause: str, value: float = 0.0) -> Callable[[Project], Project]:
     def change(project: Project) -> Project:
         assert project.result is not None
-        found = (UnlikeRadii(project.targets[0].name, 0.17, 0.3, cause, value),)
-        return replace(project, result=replace(project.result, unlike_radii=found))
+        found = (RadiusDiscrepancy(project.targets[0].name, 0.17, 0.3, cause, value),)
+        return replace(project, result=replace(project.result, radius_discrepancies=found))
 
     return change
 
@@ -196,18 +196,18 @@ CASES = [
      "scan-angle offset."),
     ("line_unchecked", True, _unchecked("line", lines=2), "any of the lines L1 and L2 the angles"),
     ("target_unchecked", True, _unchecked("target", of_target=True), "Without target T1"),
-    ("targets_together", True, _unchecked("together", size=0.031), "within 3 % of"),
+    ("targets_clustered", True, _unchecked("clustered", size=0.031), "within 3 % of"),
     ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
                                         angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
     ("target_excluded", False, _excluded, "other targets and lines: T1 and T2"),
     ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
     ("target_parts", False, _cut(0.0), "not shown to be flat: T1"),
-    ("unlike_radii", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
-    ("unlike_radii", True, _radii("pitch_sign"), "They agree with the sign of pitch turned"),
-    ("unlike_radii", True, _radii("latency", -0.02), "They agree with latency 20.00 ms smaller"),
-    ("unlike_radii", True, _radii("range_offset", 0.02), "range offset 0.0200 m larger"),
+    ("radii_differ", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
+    ("radii_differ", True, _radii("pitch_sign"), "They agree with the sign of pitch turned"),
+    ("radii_differ", True, _radii("latency", -0.02), "They agree with latency 20.00 ms smaller"),
+    ("radii_differ", True, _radii("range_offset", 0.02), "range offset 0.0200 m larger"),
     ("shorter_times", False, _shorter, "(300 s for position, 600 s for attitude)"),
-    ("sigmas_raised", False, _raised, "The sigmas are raised for it: pitch from 0.0291 to 0.0728"),
+    ("sigmas_raised", False, _raised, "deviations are raised: pitch from 0.0291 to 0.0728"),
     ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 of its sigmas)"),
     ("high_correlation", False, _told_apart_badly, "Roll and pitch are hardly told apart "
      "(correlation -0.97)"),

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.scatter import unforeseen, with_scatter
+from lispac.adjustment.scatter import excess_variance, with_scatter
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
@@ -79,8 +80,8 @@ def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: Target
 
     found = targetless(*with_scans(thinned, change), count=FEW)
     assert found.raised > 1.5
-    assert any("the sigmas are raised for it, by up to" in said for said in found.sentences)
-    assert not any("raised" in said for said in clean.sentences)
+    assert "sigmas_raised" in {each.code for each in doubts(found.result, None)}
+    assert "sigmas_raised" not in {each.code for each in doubts(clean.result, None)}
     assert (found.result.sigma > clean.result.sigma).all()
     # In the mean all are turned by half of it, which goes to roll and to roll alone.
     off = error(found, project) + [0.075, 0.0, 0.0]
@@ -102,6 +103,6 @@ def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: Targetles
     prior = few.mounting("prior")
     observations = observations_of(few, thinned[1], mounting=clean.result.mounting)
     result = adjust(observations, prior, model, accept_one_facing=True)
-    more = unforeseen(*parts_of(solved(result, observations, prior)))
+    more = excess_variance(*parts_of(solved(result, observations, prior)))
     assert np.isfinite(more).all()
     assert (more >= 0).all()

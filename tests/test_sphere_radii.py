@@ -9,7 +9,7 @@ from lispac.adjustment.averaging import averaged
 from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.sphere_radii import unlike_radii
+from lispac.adjustment.sphere_radii import radius_discrepancies
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.simulation.closed_form import Ball, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
@@ -39,13 +39,13 @@ def changed(data: Observations, cause: str) -> Observations:
 
 @pytest.mark.parametrize("seed", range(10))
 def test_radii_of_a_right_survey_agree(seed: int) -> None:
-    assert unlike_radii(survey(seed), TRUTH) == ()
+    assert radius_discrepancies(survey(seed), TRUTH) == ()
 
 
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("cause", ["roll_sign", "pitch_sign"])
 def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
-    found = unlike_radii(changed(survey(seed), cause), TRUTH)
+    found = radius_discrepancies(changed(survey(seed), cause), TRUTH)
     assert {each.cause for each in found} == {cause}
     for each in found:
         assert each.largest - each.smallest > 0.01
@@ -55,15 +55,15 @@ def test_an_error_of_one_line_is_not_blamed_on_a_sign() -> None:
     data = survey(0)
     own = np.array([each.line == "L2" for each in data.sightings])[data.sighting]
     points = np.where(own[:, None], data.points_lidar * [1.3, 1.0, 1.0], data.points_lidar)
-    found = unlike_radii(replace(data, points_lidar=points), TRUTH)
+    found = radius_discrepancies(replace(data, points_lidar=points), TRUTH)
     assert all(each.cause == "" for each in found)
 
 
 def test_the_result_of_an_adjustment_has_them() -> None:
     data = averaged(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
     result = adjust(data, TRUTH, StochasticModel(loss="tukey"))
-    assert {each.cause for each in result.unlike_radii} == {"pitch_sign"}
-    told = [each for each in doubts(result, None) if each.code == "unlike_radii"]
+    assert {each.cause for each in result.radius_discrepancies} == {"pitch_sign"}
+    told = [each for each in doubts(result, None) if each.code == "radii_differ"]
     assert all(each.serious for each in told)
     assert told
-    assert adjust(data, TRUTH, StochasticModel(), diagnostics=False).unlike_radii == ()
+    assert adjust(data, TRUTH, StochasticModel(), diagnostics=False).radius_discrepancies == ()

@@ -38,7 +38,7 @@ def cross_checks(
         As it went into the adjustment of ``result``.
     """
     start = mounting.with_boresight(result.boresight)
-    observations, result = as_judged(observations, result.foreseen)
+    observations, result = as_judged(observations, result.with_formal_sigmas)
     result, parameters = _without_unseen(observations, start, result, parameters)
     parts = [*_left_out(observations), *_halves(observations)]
     found: list[CrossCheck] = []

@@ -30,7 +30,7 @@ LARGE_SIGMA_DEG = 0.1
 """An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
 
 RAISED = 1.05
-"""Factor on a sigma from which it is told that it was raised."""
+"""Factor on a sigma from which a warning says that it was raised."""
 
 HIGH_CORRELATION = 0.9
 """Beyond it two angles are told apart mostly by their sum or difference."""
@@ -198,7 +198,7 @@ def _worst_angle(part: CrossCheck) -> str:
 
 
 def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    """What nothing checks: an error of it would move the angles without a trace."""
+    """Lines, targets and sightings whose errors cannot be detected."""
     if result.observability is None:
         return
     found = result.observability.unchecked
@@ -208,26 +208,26 @@ def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doub
         yield Doubt(
             "line_unchecked",
             True,
-            f"Without {one_of('line', lines)} the angles are not determined, so an error of it "
-            "does not show. Add lines.",
+            f"Without {one_of('line', lines)} the angles are not determined, so that its "
+            "errors cannot be detected. Add lines.",
             Cause.of_line(lines[0]),
         )
     if targets:
         yield Doubt(
             "target_unchecked",
             True,
-            f"Without {one_of('target', targets)} the angles are not determined, so an error of it "
-            "does not show. Add targets.",
+            f"Without {one_of('target', targets)} the angles are not determined, so that its "
+            "errors cannot be detected. Add targets.",
             Cause.of_target(targets[0]),
         )
     for each in found:
-        if each.kind == "together":
+        if each.kind == "clustered":
             yield Doubt(
-                "targets_together",
+                "targets_clustered",
                 True,
-                f"The targets stand within {100 * each.size:.0f}\u00a0% of their distance from "
-                "the scanner and act as one: an error of a line does not show. Add targets at "
-                "other places.",
+                f"All targets lie within {100 * each.size:.0f}\u00a0% of their distance from the "
+                "scanner, so that an error of a line cannot be detected. Add targets at other "
+                "places.",
             )
     carried = [each for each in found if each.kind == "sighting"]
     if carried:
@@ -235,8 +235,8 @@ def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doub
         yield Doubt(
             "carried_by_one",
             True,
-            f"Carried by one sighting, of which an error does not show: {some(named)}. Add targets "
-            "or lines.",
+            "The angles depend on one sighting, of which an error cannot be detected: "
+            f"{some(named)}. Add targets or lines.",
             Cause.of_sighting(carried[0].target, carried[0].line),
         )
 
@@ -283,11 +283,11 @@ RADII_AGREE = {
     "pitch_sign": "with the sign of pitch turned",
     "roll_pitch_signs": "with the signs of roll and pitch turned",
 }
-"""What makes radii agree, by the cause of `UnlikeRadii`, but for the values of the mounting."""
+"""What makes radii agree, by the cause of `RadiusDiscrepancy`; not the values of the mounting."""
 
 
 def _radii(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
-    for each in result.unlike_radii:
+    for each in result.radius_discrepancies:
         said = (
             f"The radius of {each.target} differs from line to line, from {mm(each.smallest)} to "
             f"{mm(each.largest)}\u00a0mm"
@@ -296,12 +296,13 @@ def _radii(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
             so = "Check the attitude signs, the latency and the points of the target."
             text = f"{said}, and no single error explains it. {so}"
         elif each.cause in RADII_AGREE:
-            text = f"{said}. They agree {RADII_AGREE[each.cause]}: check how the file counts it."
+            agree = RADII_AGREE[each.cause]
+            text = f"{said}. They agree {agree}: check the sign convention of the file."
         else:
             larger = "larger" if each.value > 0 else "smaller"
             value = f"{parameter(each.cause)} {amount(each.cause, abs(each.value))} {larger}"
             text = f"{said}. They agree with {value}: measure it again."
-        yield Doubt("unlike_radii", True, text, Cause.of_target(each.target))
+        yield Doubt("radii_differ", True, text, Cause.of_target(each.target))
 
 
 def _shorter_times(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
@@ -314,7 +315,7 @@ def _shorter_times(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
             f"With the stated correlation times of the POS errors ({position:g}\u00a0s for "
             f"position, {attitude:g}\u00a0s for attitude) the residuals are too large for the "
             f"chi-square test. With {model.position_time:g}\u00a0s and {model.attitude_time:g}"
-            "\u00a0s they pass it, and the sigmas are those of these times.",
+            "\u00a0s they pass it, and the standard deviations are computed with these.",
             Cause.of_field("position_time"),
         )
 
@@ -325,8 +326,8 @@ def _raised(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
     told = [
         f"{angle} from {before:.4f} to {after:.4f}\u00a0deg"
         for angle, before, after, factor in zip(
-            ANGLES, np.degrees(result.foreseen.sigma), np.degrees(result.sigma), result.raised,
-            strict=True,
+            ANGLES, np.degrees(result.with_formal_sigmas.sigma), np.degrees(result.sigma),
+            result.raised, strict=True,
         )
         if factor > RAISED
     ]  # fmt: skip
@@ -334,8 +335,8 @@ def _raised(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
         yield Doubt(
             "sigmas_raised",
             False,
-            "The answers without single lines or targets scatter by more than the model of errors "
-            f"foresees. The sigmas are raised for it: {listed(told)}.",
+            "Parts of the data scatter by more than the model of errors predicts. The standard "
+            f"deviations are raised: {listed(told)}.",
             Cause.of_page("Cross-checks"),
         )
 

@@ -25,7 +25,7 @@ PARALLEL = np.radians(10.0)
 
 CARRIED = 4.0
 """Factor by which a sigma grows without a sighting that carries the angle alone."""
-TOGETHER = 0.05
+CLUSTERED = 0.05
 """Distance of targets, over that from the scanner, below which they act as one: POS errors, the
 direction of the beams and what is wrong with a line are the same for all of them."""
 MOST_SIGHTINGS = 100
@@ -258,8 +258,8 @@ def _unchecked(
             sigma = sigmas_without(linearised, observations.target_of_sighting == k)
             if sigma is None or sigma.max() > WORST_SIGMA:
                 yield Unchecked("target", target)
-        if origins is not None and (reach := _reach(linearised, origins)) < TOGETHER:
-            yield Unchecked("together", size=reach)
+        if origins is not None and (reach := _reach(linearised, origins)) < CLUSTERED:
+            yield Unchecked("clustered", size=reach)
     if needed or len(observations.sightings) > MOST_SIGHTINGS:
         return
     whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))

@@ -127,7 +127,7 @@ class TargetResidual:
 
 
 @dataclass(frozen=True)
-class UnlikeRadii:
+class RadiusDiscrepancy:
     """A ball whose radius differs from line to line by more than the noise explains.
 
     Attributes
@@ -154,7 +154,7 @@ class Unchecked:
 
     Attributes
     ----------
-    kind : {"line", "target", "sighting", "together"}
+    kind : {"line", "target", "sighting", "clustered"}
         A line or a target without which the angles are not determined, a sighting without which
         some of them are known much worse, or targets that stand together as one.
     target, line : str
@@ -344,11 +344,11 @@ class AdjustmentResult:
         tilts then.
     raised : ndarray of shape (3,), or None
         Factors by which the sigmas of the angles were multiplied, because parts of the data scatter
-        by more than the model foresees; None where that is not known.
+        by more than the model predicts; None where that is not known.
     stated_times : tuple of float, seconds, or None
         Correlation times of position and attitude that were stated, where the residuals asked for
         the shorter ones of ``model``.
-    unlike_radii : tuple of UnlikeRadii
+    radius_discrepancies : tuple of RadiusDiscrepancy
         Of the balls.
     excluded_targets : tuple of str
         Targets no point of which agrees with the others. They take no part in the result.
@@ -382,7 +382,7 @@ class AdjustmentResult:
     causes: tuple[tuple[CandidateCause, ...], ...] | None = None
     raised: Array | None = None
     stated_times: tuple[float, float] | None = None
-    unlike_radii: tuple[UnlikeRadii, ...] = ()
+    radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
     common_parts: tuple[CommonPart, ...] = ()
 
@@ -409,8 +409,8 @@ class AdjustmentResult:
         return self.mounting.with_boresight(self.prior_boresight).plain.boresight
 
     @property
-    def foreseen(self) -> "AdjustmentResult":
-        """The result with the sigmas that the model foresees: none of them raised."""
+    def with_formal_sigmas(self) -> "AdjustmentResult":
+        """The result with the sigmas that the model predicts, none of them raised."""
         if self.raised is None:
             return self
         whole = np.ones(len(self.covariance_all))

@@ -1,10 +1,10 @@
-"""Whether parts of the data differ by more than the sigmas foresee, and sigmas that say so.
+"""Whether parts of the data scatter by more than the sigmas predict, and sigmas raised for it.
 
 The stochastic model knows noise, POS errors and uneven surfaces. It does not know beams that are
 calibrated unlike, times that are a little off within a turn of the scanner, or cloth and grass that
 two lines see differently; what these do to neighbouring points they do to many of them at once. So
 places of the scene are left out one after the other, and stretches of each line: the answers
-scatter as much as the model foresees where it holds (the variance of a difference is the difference
+scatter as much as the model predicts where it holds (the variance of a difference is the difference
 of the variances, Hausman 1978), and by more where it does not. What is more is added, by the
 jackknife (Tukey 1958).
 
@@ -52,7 +52,7 @@ def with_scatter(
     ----------
     here, origins : as in `lispac.adjustment.solved.Solved`
     """
-    more = unforeseen(here, origins, progress=progress)
+    more = excess_variance(here, origins, progress=progress)
     return raised(result, np.sqrt(1.0 + more / np.diag(result.covariance)))
 
 
@@ -67,8 +67,8 @@ def raised(result: AdjustmentResult, factors: Array) -> AdjustmentResult:
     )
 
 
-def unforeseen(here: Linearised, origins: Array, *, progress: Progress = no_progress) -> Array:
-    """Variance of the angles that the model does not foresee, shape (3,), square radians.
+def excess_variance(here: Linearised, origins: Array, *, progress: Progress = no_progress) -> Array:
+    """Variance of the angles that the model does not predict, shape (3,), square radians.
 
     Parameters
     ----------
@@ -81,8 +81,8 @@ def unforeseen(here: Linearised, origins: Array, *, progress: Progress = no_prog
         except (AdjustmentError, np.linalg.LinAlgError):
             return more  # without a whole to compare with, nothing is known
         for parts in _kinds(here, origins):
-            differences, foreseen = _differences(here, whole, parts, progress)
-            more += _beyond(differences, foreseen)
+            differences, predicted = _differences(here, whole, parts, progress)
+            more += _beyond(differences, predicted)
     return more
 
 
@@ -103,8 +103,8 @@ def raised_by_parts(here: Linearised) -> Array:
             return np.ones(3)
         more = np.zeros(3)
         for parts in _lines_and_targets(here):
-            differences, foreseen = _differences(here, whole, parts, no_progress)
-            more += _significant(differences, foreseen) * _beyond(differences, foreseen)
+            differences, predicted = _differences(here, whole, parts, no_progress)
+            more += _significant(differences, predicted) * _beyond(differences, predicted)
     return np.asarray(np.sqrt(1.0 + more / whole[1]))
 
 
@@ -117,20 +117,23 @@ def _lines_and_targets(here: Linearised) -> Iterator[list[Flags]]:
     yield [target == k for k in range(len(observations.targets))]
 
 
-def _significant(differences: Array, foreseen: Array) -> NDArray[np.bool_]:
+def _significant(differences: Array, predicted: Array) -> NDArray[np.bool_]:
     """Whether chance does not explain the scatter of each angle, shape (3,).
 
     The sum of the squares over that of the variances has about a chi-square distribution, with as
     many degrees of freedom as the parts are worth (Satterthwaite 1946), one less for their mean.
+    The largest difference is tested by itself as well (Bonferroni): one line may be wrong alone.
     """
     from scipy.special import chdtri
 
     if len(differences) < FEWEST:
         return np.zeros(3, dtype=bool)
-    total = foreseen.sum(axis=0)
-    worth = total**2 / np.maximum((foreseen**2).sum(axis=0), np.finfo(float).tiny)
+    total = predicted.sum(axis=0)
+    worth = total**2 / np.maximum((predicted**2).sum(axis=0), np.finfo(float).tiny)
     freedom = np.maximum(worth - 1.0, 1.0)
-    return np.asarray((differences**2).sum(axis=0) > total * chdtri(freedom, CHANCE) / freedom)
+    together = (differences**2).sum(axis=0) > total * chdtri(freedom, CHANCE) / freedom
+    largest = (differences**2 > predicted * chdtri(1.0, CHANCE / len(differences))).any(axis=0)
+    return np.asarray(together | largest)
 
 
 def _kinds(here: Linearised, origins: Array) -> Iterator[list[Flags]]:
@@ -164,16 +167,16 @@ def _differences(
         with suppress(AdjustmentError, np.linalg.LinAlgError):
             found.append(_without(here, part))
     differences = np.array([answer - whole[0] for answer, _ in found]).reshape(-1, 3)
-    foreseen = np.array([np.maximum(variance - whole[1], 0.0) for _, variance in found])
-    return differences, foreseen.reshape(-1, 3)
+    predicted = np.array([np.maximum(variance - whole[1], 0.0) for _, variance in found])
+    return differences, predicted.reshape(-1, 3)
 
 
-def _beyond(differences: Array, foreseen: Array) -> Array:
-    """By how much parts scatter more than foreseen, shape (3,), square radians."""
+def _beyond(differences: Array, predicted: Array) -> Array:
+    """By how much parts scatter more than predicted, shape (3,), square radians."""
     if len(differences) < FEWEST:
         return np.zeros(3)
     share = (len(differences) - 1) / len(differences)
-    return np.asarray(share * np.maximum((differences**2 - foreseen).sum(axis=0), 0.0))
+    return np.asarray(share * np.maximum((differences**2 - predicted).sum(axis=0), 0.0))
 
 
 def sigmas_without(here: Linearised, sightings: Flags) -> Array | None:

@@ -29,7 +29,7 @@ from lispac.adjustment.shapes import (
     usual_radii,
 )
 from lispac.adjustment.shown import amount, parameter, plain
-from lispac.adjustment.sphere_radii import unlike_radii
+from lispac.adjustment.sphere_radii import radius_discrepancies
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
@@ -47,10 +47,10 @@ COMPONENT_ROUNDS = 5
 RAISED = 1.05
 """Factor on a stated sigma below which raising it would change nothing worth telling."""
 
-SHORTER = (0.3, 0.1, 0.03)
+SHORTER_TIMES = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried where the residuals are too large."""
 
-CLEARLY = 1e-4
+REJECTION_LEVEL = 1e-4
 """Probability that correlation times are shortened though the stated ones are right."""
 
 MOST_RELEASED = 3
@@ -159,15 +159,15 @@ def _adjust(
         with one_thread():
             found = adjusted(model, diagnostics=diagnostics)
             if diagnostics:
-                radii = unlike_radii(observations, found.mounting)
-                found = replace(found, unlike_radii=radii)
+                radii = radius_discrepancies(observations, found.mounting)
+                found = replace(found, radius_discrepancies=radii)
             if not (diagnostics and test_model and model.correlated):
                 return found
-            if not _is_rejected(found, CLEARLY):
+            if not _is_rejected(found, REJECTION_LEVEL):
                 return found
             if _is_explained(found, observations, parameters, adjusted):
                 return found
-            for factor in SHORTER:
+            for factor in SHORTER_TIMES:
                 shorter = replace(
                     model, position_time=factor * model.position_time,
                     attitude_time=factor * model.attitude_time,
@@ -178,7 +178,7 @@ def _adjust(
                         return replace(
                             adjusted(shorter, diagnostics=True),
                             stated_times=stated,
-                            unlike_radii=radii,
+                            radius_discrepancies=radii,
                         )
             return found
     except np.linalg.LinAlgError as error:

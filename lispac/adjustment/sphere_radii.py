@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.result import UnlikeRadii
+from lispac.adjustment.result import RadiusDiscrepancy
 from lispac.errors import SphereNotFound
 from lispac.geometry.spheres import fit_sphere
 from lispac.survey.georeferencing import Mounting, place
@@ -32,7 +32,9 @@ RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
 """Metres that are tried."""
 
 
-def unlike_radii(observations: Observations, mounting: Mounting) -> tuple[UnlikeRadii, ...]:
+def radius_discrepancies(
+    observations: Observations, mounting: Mounting
+) -> tuple[RadiusDiscrepancy, ...]:
     """Balls whose radii differ between lines by more than the noise explains.
 
     Parameters
@@ -58,9 +60,9 @@ def unlike_radii(observations: Observations, mounting: Mounting) -> tuple[Unlike
         best = min(names, key=lambda each: _misfit(*each[2]), default=None)
         smallest, largest = float(radii[0].min()), float(radii[0].max())
         if best is None or _differ(*best[2]):
-            found.append(UnlikeRadii(target, smallest, largest))
+            found.append(RadiusDiscrepancy(target, smallest, largest))
         else:
-            found.append(UnlikeRadii(target, smallest, largest, best[0], best[1]))
+            found.append(RadiusDiscrepancy(target, smallest, largest, best[0], best[1]))
     return tuple(found)
 
 

@@ -39,7 +39,7 @@ INCLINATIONS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)
 """Degrees from level. The boards hang above the vessel and face it: they lean forward, for one that
 leans back by as much would hardly be seen."""
 SIZES = (0.25, 0.50, 0.75, 1.00)
-TOGETHER: tuple[tuple[float, ...], ...] = (
+CLUSTERED: tuple[tuple[float, ...], ...] = (
     (90.0,), (90.0, 60.0), (90.0, 45.0), (90.0, 30.0), (60.0, 30.0), (90.0, 60.0, 30.0),
 )  # fmt: skip
 DISTANCES = (5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0, 80.0)
@@ -103,7 +103,7 @@ def sizes(plan: Plan) -> list[Case]:
 def target_combinations(plan: Plan) -> list[Case]:
     """Figure 4.12 (d): boards of some inclinations, 1.6 m apart."""
     cases = []
-    for leans in TOGETHER:
+    for leans in CLUSTERED:
         boards = [
             replace(board, centre=(1.6 * (k - (len(leans) - 1) / 2), *board.centre[1:]))
             for k, board in enumerate(map(thesis_board, leans))

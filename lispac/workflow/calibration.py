@@ -16,7 +16,7 @@ from lispac.adjustment.result import AdjustmentResult, CommonPart
 from lispac.adjustment.shown import listed, plain
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
-from lispac.doubles import seen_once
+from lispac.doubles import single_line_targets
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient
 from lispac.message_texts import message_text
 from lispac.messages import Level
@@ -227,7 +227,7 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
         yield
     except (NotConverged, RankDeficient) as error:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
-        alone = [plain(doubt.text) for doubt in seen_once(project.targets)]
+        alone = [plain(doubt.text) for doubt in single_line_targets(project.targets)]
         more = [*alone, *(message_text(each) for each in warnings[:MOST_WARNINGS])]
         raise type(error)(" ".join([str(error), *more])) from None
 

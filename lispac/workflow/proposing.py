@@ -25,6 +25,7 @@ from lispac.targets.detection import DetectedPlane, Found, detect_planes
 from lispac.targets.finder import FinderSettings
 from lispac.targets.hidden import ends_within
 from lispac.targets.quality import SightingQuality
+from lispac.targets.smear import ROUGHLY_OFF
 from lispac.validation.comparison import reciprocal
 from lispac.workflow.calibration import estimate, observations_of
 from lispac.workflow.qualities import qualities
@@ -48,7 +49,7 @@ whose flatness is doubtful on so many is proposed for validation at most, where 
 others."""
 SHARED = 0.01
 """Share of the points of a plane from which it overlaps another one."""
-UNCHECKED = {"target_unchecked", "targets_together", "carried_by_one"}
+UNCHECKED = {"target_unchecked", "targets_clustered", "carried_by_one"}
 """Codes of warnings that targets do not check each other."""
 
 
@@ -178,12 +179,13 @@ def _chosen(
         result = solved.result
         assert result is not None
         suspects = {sighting.target for sighting in result.suspects} | set(result.excluded_targets)
-        # With the prior boresight a bend may be its work; with the estimated one it is a bend.
-        now = _judged(solved, survey)
+        # A wrong boresight bends planes; with one that is known well a bend is that of the surface.
+        known = float(result.sigma.max()) <= ROUGHLY_OFF
+        now = _judged(solved, survey) if known else {}
         rejected = {
             name
             for name, target in zip(chosen, targets, strict=True)
-            if target.name in suspects or not now[target.name].flat
+            if target.name in suspects or (known and not now[target.name].flat)
         }
         if not rejected:
             return chosen, result, planes

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
-from lispac.adjustment.observability import CARRIED, TOGETHER
+from lispac.adjustment.observability import CARRIED, CLUSTERED
 from lispac.adjustment.problem import Linearised
 from lispac.errors import AdjustmentError
 
@@ -81,7 +81,7 @@ class Planes:
         centres = np.array([self.centres[name] for name in names])
         apart = np.linalg.norm(centres[:, None] - centres[None], axis=-1).max()
         points = self.linearised.problem.observations.points_lidar
-        return bool(apart >= TOGETHER * np.linalg.norm(points, axis=1).mean())
+        return bool(apart >= CLUSTERED * np.linalg.norm(points, axis=1).mean())
 
 
 def chosen_targets(planes: Planes) -> list[str]:

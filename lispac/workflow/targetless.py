@@ -40,8 +40,6 @@ SETTLED = 0.1
 """Share of its sigma by which an angle may move when no further round is worth its time."""
 FEWEST = 4
 """Patches below which nothing of them can be checked."""
-RAISED = 1.3
-"""Factor on a sigma beyond which it is told that it was raised."""
 DISAGREES = 0.3
 """Share of its sightings that do not agree by which a line is named."""
 
@@ -64,7 +62,7 @@ class Targetless:
     targets : int
         Of the project, adjusted with the scene.
     raised : float
-        Largest factor on the sigma of an angle for what the model of errors does not foresee.
+        Largest factor on the sigma of an angle for what the model of errors does not predict.
     """
 
     project: Project
@@ -96,11 +94,6 @@ class Targetless:
                 "Two lines alone: the sigmas do not hold. On two real surveys of this kind the "
                 "angles were off by 0.1 and 0.25 deg, several times what the sigmas said; add "
                 "lines in other directions."
-            )
-        if self.raised > RAISED:
-            found.append(
-                "Parts of the data differ by more than the model of errors foresees; the sigmas "
-                f"are raised for it, by up to {100 * (self.raised - 1):.0f} %."
             )
         if not self.settled:
             found.append(

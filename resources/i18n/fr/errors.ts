@@ -5347,10 +5347,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Deux lignes seulement : les écarts-types ne tiennent pas. Sur deux levés réels de ce genre, les angles étaient faux de 0,1 et 0,25°, plusieurs fois ce que disaient les écarts-types ; ajoutez des lignes d&apos;autres directions.</translation>
     </message>
     <message>
-        <source>Parts of the data differ by more than the model of errors foresees; the sigmas are raised for it, by up to {setting:n} %.</source>
-        <translation>Des parties des données diffèrent plus que le modèle d&apos;erreurs ne le prévoit ; les écarts-types en sont majorés, jusqu&apos;à {setting} %.</translation>
-    </message>
-    <message>
         <source>The angles still moved by more than {setting:n} % of their sigmas in the last round of matching.</source>
         <translation>Au dernier tour d&apos;appariement, les angles bougeaient encore de plus de {setting} % de leurs écarts-types.</translation>
     </message>

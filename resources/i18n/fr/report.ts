@@ -2385,20 +2385,20 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>{part} ({angle} {difference}°, {sigmas} fois son écart-type)</translation>
     </message>
     <message>
-        <source>With the stated correlation times of the POS errors ({a:n} s for position, {b:n} s for attitude) the residuals are too large for the chi-square test. With {c:n} s and {d:n} s they pass it, and the sigmas are those of these times.</source>
-        <translation>Avec les temps de corrélation indiqués des erreurs du POS ({a} s pour la position, {b} s pour l&apos;attitude), les résidus sont trop grands pour le test du khi-deux. Avec {c} s et {d} s, ils le passent, et les écarts-types correspondent à ces temps.</translation>
+        <source>With the stated correlation times of the POS errors ({a:n} s for position, {b:n} s for attitude) the residuals are too large for the chi-square test. With {c:n} s and {d:n} s they pass it, and the standard deviations are computed with these.</source>
+        <translation>Avec les temps de corrélation indiqués des erreurs du POS ({a} s pour la position, {b} s pour l&apos;attitude), les résidus sont trop grands pour le test du khi-deux. Avec {c} s et {d} s, ils le passent, et les écarts-types sont calculés avec ces valeurs.</translation>
     </message>
     <message>
         <source>{target:name} on line {line:name} ({angles:list})</source>
         <translation>{target} sur la ligne {line} ({angles})</translation>
     </message>
     <message>
-        <source>Carried by one sighting, of which an error does not show: {carried:list}. Add targets or lines.</source>
-        <translation>Porté par une seule visée, dont une erreur n&apos;apparaît pas : {carried}. Ajoutez des cibles ou des lignes.</translation>
+        <source>The angles depend on one sighting, of which an error cannot be detected: {carried:list}. Add targets or lines.</source>
+        <translation>Les angles dépendent d&apos;une seule observation de cible, dont une erreur ne peut pas être détectée : {carried}. Ajoutez des cibles ou des lignes.</translation>
     </message>
     <message>
-        <source>The targets stand within {n:n} % of their distance from the scanner and act as one: an error of a line does not show. Add targets at other places.</source>
-        <translation>Les cibles se tiennent à moins de {n} % de leur distance au scanneur et agissent comme une seule : une erreur d&apos;une ligne n&apos;apparaît pas. Ajoutez des cibles à d&apos;autres endroits.</translation>
+        <source>All targets lie within {n:n} % of their distance from the scanner, so that an error of a line cannot be detected. Add targets at other places.</source>
+        <translation>Toutes les cibles se trouvent à moins de {n} % de leur distance au scanneur, si bien qu&apos;une erreur d&apos;une ligne ne peut pas être détectée. Ajoutez des cibles à d&apos;autres endroits.</translation>
     </message>
     <message>
         <source>any of the targets {targets:list}</source>
@@ -2445,28 +2445,28 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>cible {target} qui n’est pas une même surface plane</translation>
     </message>
     <message>
-        <source>Without {what} the angles are not determined, so an error of it does not show. Add targets.</source>
-        <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des cibles.</translation>
+        <source>Without {what} the angles are not determined, so that its errors cannot be detected. Add targets.</source>
+        <translation>Sans {what}, les angles ne sont pas déterminés : ses erreurs ne peuvent donc pas être détectées. Ajoutez des cibles.</translation>
     </message>
     <message>
-        <source>Without {what} the angles are not determined, so an error of it does not show. Add lines.</source>
-        <translation>Sans {what}, les angles ne sont pas déterminés : une erreur n&apos;y apparaît donc pas. Ajoutez des lignes.</translation>
+        <source>Without {what} the angles are not determined, so that its errors cannot be detected. Add lines.</source>
+        <translation>Sans {what}, les angles ne sont pas déterminés : ses erreurs ne peuvent donc pas être détectées. Ajoutez des lignes.</translation>
     </message>
     <message>
         <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm, and no single error explains it. Check the attitude signs, the latency and the points of the target.</source>
         <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm, et aucune erreur isolée ne l&apos;explique. Vérifiez les signes de l&apos;attitude, la latence et les points de la cible.</translation>
     </message>
     <message>
-        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the sign of roll turned: check how the file counts it.</source>
-        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant le signe du roulis : vérifiez comment le fichier les compte.</translation>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the sign of roll turned: check the sign convention of the file.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant le signe du roulis : vérifiez la convention de signe du fichier.</translation>
     </message>
     <message>
-        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the sign of pitch turned: check how the file counts it.</source>
-        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant le signe du tangage : vérifiez comment le fichier les compte.</translation>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the sign of pitch turned: check the sign convention of the file.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant le signe du tangage : vérifiez la convention de signe du fichier.</translation>
     </message>
     <message>
-        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the signs of roll and pitch turned: check how the file counts it.</source>
-        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant les signes du roulis et du tangage : vérifiez comment le fichier les compte.</translation>
+        <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with the signs of roll and pitch turned: check the sign convention of the file.</source>
+        <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent en inversant les signes du roulis et du tangage : vérifiez la convention de signe du fichier.</translation>
     </message>
     <message>
         <source>The radius of {target:name} differs from line to line, from {a:n} to {b:n} mm. They agree with latency {v:n} ms larger: measure it again.</source>
@@ -2485,16 +2485,16 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>Le rayon de {target} diffère d&apos;une ligne à l&apos;autre, de {a} à {b} mm. Ils concordent avec un décalage de distance de {v} m de moins : mesurez-le de nouveau.</translation>
     </message>
     <message>
-        <source>The answers without single lines or targets scatter by more than the model of errors foresees. The sigmas are raised for it: {raised:list}.</source>
-        <translation>Les solutions sans certaines lignes ou cibles se dispersent plus que ne le prévoit le modèle d&apos;erreurs. Les écarts-types sont agrandis en conséquence : {raised}.</translation>
+        <source>Parts of the data scatter by more than the model of errors predicts. The standard deviations are raised: {raised:list}.</source>
+        <translation>Des parties des données se dispersent plus que ne le prévoit le modèle d&apos;erreurs. Les écarts-types sont agrandis : {raised}.</translation>
     </message>
     <message>
         <source>{angle} from {before:n} to {after:n} deg</source>
         <translation>{angle} de {before} à {after} deg</translation>
     </message>
     <message>
-        <source>Targets on one line only take no part, since nothing compares them: {targets:list}. Seed them on other lines, or leave them out.</source>
-        <translation>Les cibles vues sur une seule ligne n&apos;interviennent pas, rien ne les comparant : {targets}. Placez-les sur d&apos;autres lignes ou écartez-les.</translation>
+        <source>Excluded, because only one line shows them: {targets:list}. Seed them on other lines, or remove them.</source>
+        <translation>Exclues, car une seule ligne les montre : {targets}. Placez des points initiaux sur d&apos;autres lignes, ou supprimez-les.</translation>
     </message>
     <message>
         <source>Targets have points in common: {pairs:list}. These points count twice, and the sigmas of the angles come out too small; leave one of the two out.</source>
