@@ -37,8 +37,9 @@ STRETCHES = 4
 """Parts of each line, of as many groups of points each."""
 FEWEST = 3
 """Parts below which nothing is said of their scatter."""
-CHANCE = 0.01
-"""Probability that chance alone raises a sigma."""
+CHANCE = 0.1
+"""Level of the test: an error of the model that it misses costs more than sigmas that are a little
+too large."""
 LOOSE = 10.0
 """Metres and radians: sigma of a shape that no point may be left of."""
 

@@ -15,6 +15,7 @@ import re
 import tokenize
 import zipfile
 import zlib
+from collections.abc import Iterable
 from contextlib import suppress
 from io import BytesIO
 from pathlib import Path
@@ -41,6 +42,7 @@ from lispac.project import (
     Target,
     Triple,
 )
+from lispac.survey.store.layout import is_link, require_no_link
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.settings import USUAL, FinderChoices
 from lispac.validation.absolute import AbsoluteCheck
@@ -333,17 +335,23 @@ def _write_indices(folder: Path, target: Target) -> str:
     arrays: dict[str, NDArray[Any]] = {
         f"line{k}": sighting.indices for k, sighting in enumerate(target.sightings)
     }
-    digest = hashlib.sha256()
-    for array in arrays.values():
-        digest.update(array.tobytes() + b"|")
     plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
-    name = f"{SIGHTINGS}/{plain}-{digest.hexdigest()[:16]}.npz"
+    name = f"{SIGHTINGS}/{plain}-{_digest(arrays.values())}.npz"
+    require_no_link(folder / SIGHTINGS)
     if not (folder / name).exists():
         buffer = BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
         with written_whole(folder / name) as temporary:
             temporary.write_bytes(buffer.getvalue())
     return name
+
+
+def _digest(arrays: Iterable[NDArray[Any]]) -> str:
+    """What names a file of points by its content."""
+    digest = hashlib.sha256()
+    for array in arrays:
+        digest.update(array.tobytes() + b"|")
+    return digest.hexdigest()[:16]
 
 
 def _used_unsaved(folder: Path) -> set[str]:
@@ -356,9 +364,25 @@ def _used_unsaved(folder: Path) -> set[str]:
 
 
 def _remove_unused(folder: Path, used: set[str]) -> None:
+    """Remove files of points that no state uses; those that this program did not write stay."""
+    if is_link(folder / SIGHTINGS):
+        return
     for path in (folder / SIGHTINGS).glob("*.npz"):
-        if f"{SIGHTINGS}/{path.name}" not in used:
+        if f"{SIGHTINGS}/{path.name}" not in used and _is_own(path):
             path.unlink(missing_ok=True)
+
+
+def _is_own(path: Path) -> bool:
+    """Whether a file of points has the content that its name says."""
+    named = re.fullmatch(r"[A-Za-z0-9_-]*-([0-9a-f]{16})\.npz", path.name)
+    if named is None or is_link(path) or not path.is_file():
+        return False
+    try:
+        with path.open("rb") as file, np.load(file) as arrays:
+            names = sorted(arrays.files, key=lambda name: int(name.removeprefix("line")))
+            return _digest(arrays[name] for name in names) == named[1]
+    except UNREADABLE:
+        return False
 
 
 def _relative(path: Path, folder: Path) -> str:

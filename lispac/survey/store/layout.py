@@ -10,6 +10,7 @@ import errno
 import json
 import os
 import shutil
+import stat
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
@@ -31,6 +32,31 @@ MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
 
 class DamagedStore(ProjectError):
     """The manifest of a stored line cannot be read; the line has to be imported again."""
+
+
+def is_link(path: Path) -> bool:
+    """Whether a path is a symbolic link or, on Windows, a junction."""
+    try:
+        status = path.lstat()
+    except OSError:
+        return False
+    reparse = getattr(stat, "FILE_ATTRIBUTE_REPARSE_POINT", 0)
+    return stat.S_ISLNK(status.st_mode) or bool(getattr(status, "st_file_attributes", 0) & reparse)
+
+
+def require_no_link(*paths: Path) -> None:
+    """Refuse to write or delete behind a link.
+
+    Raises
+    ------
+    ProjectError
+    """
+    for path in paths:
+        if is_link(path):
+            raise ProjectError(
+                f"{path}: this is a link to another folder, where nothing is written or deleted. "
+                "Put a folder in its place, or save the project elsewhere."
+            )
 
 
 @dataclass(frozen=True)
@@ -316,8 +342,9 @@ def remove_leftovers(folder: Path, keep: str = "") -> None:
     """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
     for path in folder.glob(f"{COLUMNS}*"):
         if path.name != keep:
-            shutil.rmtree(path, ignore_errors=True)
-    for path in (folder / f"{MANIFEST}{PART}", *(folder / SPOOL).glob(f"*{PART}")):
+            shutil.rmtree(path, ignore_errors=True)  # leaves links alone
+    blocks = [] if is_link(folder / SPOOL) else (folder / SPOOL).glob(f"*{PART}")
+    for path in (folder / f"{MANIFEST}{PART}", *blocks):
         path.unlink(missing_ok=True)
 
 

@@ -25,9 +25,11 @@ from lispac.survey.store.layout import (
     DamagedStore,
     Manifest,
     Original,
+    is_link,
     plainly_written,
     read_manifest,
     remove_leftovers,
+    require_no_link,
     write_manifest,
 )
 from lispac.survey.store.lock import LOCK, locked
@@ -103,6 +105,7 @@ def write_store(
     LispacError
         What ``pieces``, ``place`` and ``beside`` raise.
     """
+    require_no_link(folder.parent, folder, folder / SPOOL)
     made = _made_folders(folder)
     try:
         with plainly_written(folder):
@@ -229,6 +232,8 @@ def _fill(
 def tidy(folder: Path, manifest: Manifest) -> None:
     """Remove what is not part of a complete store, where nobody is importing the line."""
     parts = {MANIFEST, LOCK, manifest.folder}
+    if is_link(folder.parent) or is_link(folder):
+        return
     try:
         if all(path.name in parts for path in folder.iterdir()):
             return

@@ -4253,6 +4253,10 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Les lignes montrent différentes parties de chaque cible ({names}), qui ne sont pas assez planes pour former un seul plan ; placez des points initiaux sur des surfaces que les lignes ont en commun.</translation>
     </message>
     <message>
+        <source>{path:kept}: this is a link to another folder, where nothing is written or deleted. Put a folder in its place, or save the project elsewhere.</source>
+        <translation>{path} : ceci est un lien vers un autre dossier, où rien n&apos;est écrit ni supprimé. Mettez un dossier à sa place, ou enregistrez le projet ailleurs.</translation>
+    </message>
+    <message>
         <source>Choosing the targets</source>
         <translation>Choix des cibles</translation>
     </message>

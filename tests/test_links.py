@@ -1,0 +1,99 @@
+"""Links inside a project folder: nothing is written or deleted behind them."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import ProjectError
+from lispac.io.las import write_points
+from lispac.io.project_file import SIGHTINGS, read_project, write_project
+from lispac.project import LineSource, Project
+from lispac.survey.store.layout import is_link
+from lispac.workflow.importing import LINES, import_lines, line_folder
+from lispac.workflow.survey import Survey
+
+
+@pytest.fixture
+def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
+    """Saved with its targets, one imported line of few points."""
+    source, survey = calibrated
+    points, times = survey.scans[survey.lines[0]].take(np.arange(3000))
+    path = tmp_path / "one.laz"
+    write_points(path, points, times, np.arange(3000))
+    made = replace(
+        source, folder=tmp_path / "project", lines=(LineSource("one", path),),
+        targets=(), result=None, cross_checks=None, validation=(), data_messages=(),
+    )  # fmt: skip
+    made.folder.mkdir()
+    write_project(made)
+    return made
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in folder.rglob("*")
+        if path.is_file()
+    }
+
+
+def linked(folder: Path, elsewhere: Path) -> dict[str, bytes]:
+    """Put a link to a folder with files of somebody else in the place of ``folder``."""
+    elsewhere.mkdir()
+    for name in ("T1-0123456789abcdef.npz", "other.npz", "store.json", "columns-1"):
+        (elsewhere / name).write_bytes(b"not of this project")
+    folder.parent.mkdir(exist_ok=True)
+    folder.symlink_to(elsewhere, target_is_directory=True)
+    return contents(elsewhere)
+
+
+def with_target(project: Project, calibrated: tuple[Project, Survey]) -> Project:
+    target = calibrated[0].target("T1")
+    sightings = tuple(replace(s, line="one") for s in target.sightings[:1])
+    return replace(project, targets=(replace(target, sightings=sightings),))
+
+
+def test_a_linked_folder_of_points_is_left_alone(
+    project: Project, calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    before = linked(project.folder / SIGHTINGS, tmp_path / "elsewhere")
+    write_project(project)  # nothing to write there, and nothing is deleted
+    assert contents(tmp_path / "elsewhere") == before
+    saved = (project.folder / "project.json").read_bytes()
+    with pytest.raises(ProjectError, match="link"):
+        write_project(with_target(project, calibrated))
+    assert contents(tmp_path / "elsewhere") == before
+    assert (project.folder / "project.json").read_bytes() == saved
+
+
+def test_only_own_files_of_points_are_removed(
+    project: Project, calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    write_project(with_target(project, calibrated))
+    folder = project.folder / SIGHTINGS
+    (own,) = folder.glob("T1-*.npz")
+    outside = tmp_path / "outside.npz"
+    outside.write_bytes(own.read_bytes())
+    (folder / own.name.replace("T1", "T2")).symlink_to(outside)
+    (folder / "mine.npz").write_bytes(own.read_bytes())
+    (folder / "T1-0123456789abcdef.npz").write_bytes(own.read_bytes())
+    write_project(project)
+    assert not own.exists()
+    assert {path.name for path in folder.iterdir()} == {
+        own.name.replace("T1", "T2"), "mine.npz", "T1-0123456789abcdef.npz",
+    }  # fmt: skip
+    assert outside.exists()
+    assert read_project(project.folder).targets == ()
+
+
+@pytest.mark.parametrize("place", ["line", "lines"])
+def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, place: str) -> None:
+    store = line_folder(project, project.lines[0])
+    folder = store if place == "line" else project.folder / LINES
+    before = linked(folder, tmp_path / "elsewhere")
+    with pytest.raises(ProjectError, match="link"):
+        import_lines(project)
+    assert contents(tmp_path / "elsewhere") == before
+    assert is_link(folder)
