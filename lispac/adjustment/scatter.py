@@ -40,6 +40,9 @@ FEWEST = 3
 CHANCE = 0.1
 """Level of the test: an error of the model that it misses costs more than sigmas that are a little
 too large."""
+LEVERAGE = 3.0
+"""Largest variance of the difference without a part, over that of the whole, at which the answer
+without it says something of the whole; a part with more carries the angle alone."""
 LOOSE = 10.0
 """Metres and radians: sigma of a shape that no point may be left of."""
 
@@ -105,7 +108,10 @@ def raised_by_parts(here: Linearised) -> Array:
         more = np.zeros(3)
         for parts in _lines_and_targets(here):
             differences, predicted = _differences(here, whole, parts, no_progress)
-            more += _significant(differences, predicted) * _beyond(differences, predicted)
+            checked = predicted <= LEVERAGE * whole[1]
+            differences, predicted = differences * checked, predicted * checked
+            enough = checked.sum(axis=0) >= FEWEST
+            more += enough * _significant(differences, predicted) * _beyond(differences, predicted)
     return np.asarray(np.sqrt(1.0 + more / whole[1]))
 
 
