@@ -266,12 +266,12 @@ def _beside(
     if any((each.extent < SAME_SIZE * largest).any() for each in (reference, other)):
         return None
     first, second = _placed(reference, other)
-    allowed = _allowed_shift(reference, other, accuracy, 0.0)
-    # The outlines of two lines differ by what one of them may lack.
-    lacking = float(np.linalg.norm(np.ptp(second, axis=0) - np.ptp(first, axis=0))) / 2.0
+    # Each may lack another edge of the target, as far as both count as complete.
+    lacking = (1.0 - SAME_SIZE) * float(np.linalg.norm(largest))
+    allowed = _allowed_shift(reference, other, accuracy, 0.0) + lacking
     middles = [(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in (first, second)]
     apart = float(np.linalg.norm(middles[1] - middles[0]))
-    if apart <= allowed + lacking:
+    if apart <= allowed:
         return None
     return (
         f"The plane found is {apart:.2f} m beside the target on the other lines; "
