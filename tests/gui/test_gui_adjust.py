@@ -300,7 +300,7 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
     assert "T2 is the only target" in refusal.text()
-    assert f"no part, since nothing compares them: T1 on line {first}" in refusal.text()
+    assert f"only one line shows them: T1 on line {first}" in refusal.text()
     assert "T2 is the only target" in driver.window.task_bar.currentMessage()
     assert sentence(driver, 2) == "not estimated"
     assert driver.dialogs.errors == []
