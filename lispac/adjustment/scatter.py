@@ -37,9 +37,8 @@ STRETCHES = 4
 """Parts of each line, of as many groups of points each."""
 FEWEST = 3
 """Parts below which nothing is said of their scatter."""
-CHANCE = 0.1
-"""Level of the test: an error of the model that it misses costs more than sigmas that are a little
-too large."""
+CHANCE = 0.01
+"""Probability that chance alone raises a sigma."""
 LEVERAGE = 3.0
 """Largest variance of the difference without a part, over that of the whole, at which the answer
 without it says something of the whole; a part with more carries the angle alone."""
