@@ -17,6 +17,10 @@ class ProjectError(LispacError):
     """A project folder that cannot be opened or written, or lacks what a step needs."""
 
 
+class ProjectChanged(ProjectError):
+    """Another program has written the project since it was opened."""
+
+
 class TargetNotFound(LispacError):
     """No target was found where the seed was set."""
 

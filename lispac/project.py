@@ -196,6 +196,8 @@ class Project:
     """What other methods say of the same lines, one of each method at most."""
     data_messages: tuple[Message, ...] = ()
     """Warnings and notes about the imported files, as of the last time they were read."""
+    file_digest: str = field(default="", compare=False, repr=False)
+    """Digest of the project file that it was read from; empty where it is new."""
 
     @property
     def name(self) -> str:

@@ -86,11 +86,12 @@ def test_bytes_that_are_no_text(folder: Path) -> None:
 
 
 def test_a_drive_that_is_lost(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def lost(path: Path, **_: object) -> str:
+    def lost(path: Path) -> bytes:
         raise OSError(5, "Input/output error", str(path))
 
-    monkeypatch.setattr(Path, "read_text", lost)
-    assert "(Input/output error)" in str(refused(folder))
+    monkeypatch.setattr(Path, "read_bytes", lost)
+    with pytest.raises(ProjectError, match="Input/output error"):
+        read_project(folder)
 
 
 @pytest.mark.parametrize(

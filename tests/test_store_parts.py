@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac import locks
 from lispac.errors import ProjectError
-from lispac.survey.store import lock, reading
+from lispac.survey.store import reading
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.cells import drawn, sorting
 from lispac.survey.store.columns import opened
@@ -200,14 +201,14 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As the last holder does it right after this one has opened the file."""
-    take, gone = lock._lock, iter([True])
+    take, gone = locks._lock, iter([True])
 
     def too_late(handle: int) -> None:
         take(handle)
         if next(gone, False):
             (tmp_path / LOCK).unlink()
 
-    monkeypatch.setattr(lock, "_lock", too_late)
+    monkeypatch.setattr(locks, "_lock", too_late)
     with locked(tmp_path):
         assert is_held(tmp_path)
         with pytest.raises(ProjectError, match="imported already"), locked(tmp_path):

@@ -5,24 +5,24 @@ import sys
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.report.absolute_values import Absolute, AgainstReference
 from lispac.workflow.absolute import check_absolute
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 
 
 def check(arguments: Namespace) -> None:
     """Compare the lines with a reference, and save the figures."""
-    project = open_project(arguments.project)
-    with ConsoleProgress() as progress:
-        survey = load_survey(project, progress=progress)
-        project, notes = check_absolute(
-            project, survey, arguments.reference, crs=arguments.crs, height=arguments.height,
-            trajectory_datum=arguments.trajectory_datum, epoch=arguments.epoch,
-            sigma=arguments.reference_sigma, reach=arguments.reach, progress=progress,
-        )  # fmt: skip
-    save_project(project)
+    with opened(arguments.project, change=True) as project:
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=progress)
+            project, notes = check_absolute(
+                project, survey, arguments.reference, crs=arguments.crs, height=arguments.height,
+                trajectory_datum=arguments.trajectory_datum, epoch=arguments.epoch,
+                sigma=arguments.reference_sigma, reach=arguments.reach, progress=progress,
+            )  # fmt: skip
+        save_project(project)
     assert project.absolute is not None
     found = Absolute.of(project.absolute)
     for note in notes:

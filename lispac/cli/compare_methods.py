@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.errors import ProjectError
 from lispac.methods import WANTED, Answer, answers, missing, sentences
 from lispac.progress import part
 from lispac.project import Project
 from lispac.workflow.opinions import ask_missing
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 
 
@@ -25,10 +25,10 @@ def compare_methods(arguments: Namespace) -> None:
     ProjectError
         Where there is no answer at all.
     """
-    project = open_project(arguments.projects[0])
     refused: dict[str, str] = {}
-    if arguments.compute:
-        project, refused = _asked(project)
+    with opened(arguments.projects[0], change=arguments.compute) as project:
+        if arguments.compute:
+            project, refused = _asked(project)
     found = answers(project)
     if not found:
         raise ProjectError(

@@ -4,8 +4,14 @@ import json
 import os
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from lispac.project import Project
 
 
 class UsageError(Exception):
@@ -41,6 +47,29 @@ class ConsoleProgress:
     ) -> None:
         if self._width:
             print("\r" + " " * self._width + "\r", end="", file=sys.stderr, flush=True)
+
+
+@contextmanager
+def opened(path: Path, *, change: bool) -> "Iterator[Project]":
+    """Open a project; where it is changed, no other program changes it until the block ends.
+
+    Raises
+    ------
+    ProjectError
+    InputError
+        Where it is to be changed and its folder cannot be written.
+    """
+    from lispac.workflow.projects import open_project, project_to_change
+
+    if not change:
+        yield open_project(path)
+        return
+
+    def waiting() -> None:
+        print(f"{path}: waiting for another program that changes this project", file=sys.stderr)
+
+    with project_to_change(path, waiting=waiting) as project:
+        yield project
 
 
 def has_display() -> bool:

@@ -29,7 +29,7 @@ from lispac.adjustment.shown import (
     significance_words,
 )
 from lispac.adjustment.solver import adjust
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.qualities import as_list, print_doubtful
 from lispac.doubles import project_doubts
@@ -67,21 +67,21 @@ def estimate(arguments: Namespace) -> None:
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")
             raise UsageError(f"estimate: --{name} goes with --planes; a project has its own.")
-    with ConsoleProgress() as progress:
-        project = projects.open_project(arguments.project)
-        settings = asked_settings(project.settings, arguments)
-        settings.require_sound()
-        if settings != project.settings:  # an offset moves the points that are loaded
-            project = project.with_settings(settings)
-        survey = load_survey(project, progress=progress)
-        project = calibration.estimate(
-            project,
-            survey,
-            cross_check=not arguments.no_cross_checks,
-            progress=part(progress, 0.0, 0.9),
-        )
-        found = qualities(project, survey, progress=part(progress, 0.9, 1.0))
-    projects.save_project(project)
+    with opened(arguments.project, change=True) as project:
+        with ConsoleProgress() as progress:
+            settings = asked_settings(project.settings, arguments)
+            settings.require_sound()
+            if settings != project.settings:  # an offset moves the points that are loaded
+                project = project.with_settings(settings)
+            survey = load_survey(project, progress=progress)
+            project = calibration.estimate(
+                project,
+                survey,
+                cross_check=not arguments.no_cross_checks,
+                progress=part(progress, 0.0, 0.9),
+            )
+            found = qualities(project, survey, progress=part(progress, 0.9, 1.0))
+        projects.save_project(project)
     if arguments.json:
         print_json(project_numbers(project) | {"qualities": as_list(found)})
     else:

@@ -4,12 +4,12 @@ import sys
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.cli.console import print_json
+from lispac.cli.console import opened, print_json
 from lispac.errors import InputError
 from lispac.identity import LABELS, NAMES
 from lispac.project import Project
 from lispac.workflow.history import day_in
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.projects import save_project
 from lispac.workflow.survey_dates import NOT_TOLD, survey_dates
 
 AUTO = "auto"
@@ -17,14 +17,14 @@ AUTO = "auto"
 
 def identity(arguments: Namespace) -> None:
     """Set the fields that are given, and show all of them."""
-    project = open_project(arguments.project)
     given = {name: getattr(arguments, name) for name in NAMES}
     texts = {name: text for name, text in given.items() if text is not None}
-    if texts.get("dates") == AUTO:
-        texts["dates"] = _dates(project)
-    if texts:
-        project = project.with_identity(project.identity.changed(**texts))
-        save_project(project)
+    with opened(arguments.project, change=bool(texts)) as project:
+        if texts.get("dates") == AUTO:
+            texts["dates"] = _dates(project)
+        if texts:
+            project = project.with_identity(project.identity.changed(**texts))
+            save_project(project)
     stated = project.identity.dates
     if texts.get("dates") and day_in(stated) is None:
         print(

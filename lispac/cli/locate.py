@@ -3,6 +3,7 @@
 from argparse import Namespace
 from pathlib import Path
 
+from lispac.cli.console import opened
 from lispac.errors import InputError
 from lispac.project import Project
 from lispac.workflow.moved import found_words, missing, with_files_in
@@ -19,11 +20,12 @@ def locate(arguments: Namespace) -> None:
     """
     if not arguments.folder.is_dir():
         raise InputError(f"{arguments.folder}: there is no such folder; check the path.")
-    before, notes = opened_with_notes(arguments.project)
-    for note in notes:
-        print(note)
-    after = with_files_in(before, arguments.folder.absolute())
-    save_project(after)
+    with opened(arguments.project, change=True):
+        before, notes = opened_with_notes(arguments.project)
+        for note in notes:
+            print(note)
+        after = with_files_in(before, arguments.folder.absolute())
+        save_project(after)
     for path in sorted(_files(after) - _files(before)):
         print(found_words(path))
     gone = missing(after)

@@ -7,7 +7,7 @@ from typing import Any, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject, checked
 from lispac.patchtest.objects import COUNT
@@ -16,7 +16,7 @@ from lispac.patchtest.pairs import Kind, LinePair
 from lispac.progress import part
 from lispac.workflow import patch_test as workflow
 from lispac.workflow.opinions import of_the_patch_test
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.projects import save_project
 from lispac.workflow.survey import Survey, load_survey
 
 Array = NDArray[np.float64]
@@ -39,21 +39,23 @@ def patchtest(arguments: Namespace) -> None:
     count = arguments.count if arguments.count is not None else 0 if given else COUNT
     if not given and not count:
         raise UsageError("patchtest: give objects with --object, or look for some with --count.")
-    with ConsoleProgress() as progress:
-        project = open_project(arguments.project)
-        survey = load_survey(project, progress=part(progress, 0.0, 0.3))
-        pairs = _pairs(survey, arguments.pairs or (), arguments.lines)
-        if count:
-            step = part(progress, 0.3, 0.6)
-            laid = workflow.propose(project, survey, count=count, progress=step)
-            if given:
-                objects = (*given, *laid.objects)
-                laid = workflow.lay(project, survey, objects, laid.boresight)
-        else:
-            laid = workflow.lay(project, survey, given, survey.aligned.mounting.boresight)
-        found = workflow.find(project, survey, laid, pairs=pairs, progress=part(progress, 0.6, 1.0))
-    if arguments.keep:
-        save_project(project.with_opinion(of_the_patch_test(found)))
+    with opened(arguments.project, change=arguments.keep) as project:
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+            pairs = _pairs(survey, arguments.pairs or (), arguments.lines)
+            if count:
+                step = part(progress, 0.3, 0.6)
+                laid = workflow.propose(project, survey, count=count, progress=step)
+                if given:
+                    objects = (*given, *laid.objects)
+                    laid = workflow.lay(project, survey, objects, laid.boresight)
+            else:
+                laid = workflow.lay(project, survey, given, survey.aligned.mounting.boresight)
+            found = workflow.find(
+                project, survey, laid, pairs=pairs, progress=part(progress, 0.6, 1.0)
+            )
+        if arguments.keep:
+            save_project(project.with_opinion(of_the_patch_test(found)))
     if arguments.json:
         print_json(numbers(found))
     else:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
 from lispac.doubles import overlap_with, overlap_words
@@ -29,7 +29,11 @@ def pick(arguments: Namespace) -> None:
     """Find planes or spheres in every line and save them."""
     _require_together(arguments)
     how = _how(arguments)
-    project = projects.open_project(arguments.project)
+    with opened(arguments.project, change=True) as project:
+        _pick(arguments, project, how)
+
+
+def _pick(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
     system = system_of(

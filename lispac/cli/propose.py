@@ -7,7 +7,7 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import plain
-from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.errors import ProjectError
 from lispac.workflow import projects
 from lispac.workflow.proposing import propose as proposal_for
@@ -23,22 +23,22 @@ def propose(arguments: Namespace) -> None:
     ProjectError
         Where the project has targets and more are to be added.
     """
-    project = projects.open_project(arguments.project)
-    if arguments.accept and project.targets:
-        raise ProjectError(
-            f"{project.name}: it has targets of its own; leave out --accept to see the proposal, "
-            "or make a new project for it."
-        )
-    with ConsoleProgress() as progress:
-        survey = load_survey(project, progress=progress)
-    with ConsoleProgress() as progress:
-        proposal = proposal_for(project, survey, progress=progress)
-    for words in (words for target in proposal.targets for words in thinned_words(target)):
-        print(f"note: {words}", file=sys.stderr)
-    if arguments.accept:
-        for target in proposal.targets:
-            project = project.with_target(target)
-        projects.save_project(project)
+    with opened(arguments.project, change=arguments.accept) as project:
+        if arguments.accept and project.targets:
+            raise ProjectError(
+                f"{project.name}: it has targets of its own; leave out --accept to see the "
+                "proposal, or make a new project for it."
+            )
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=progress)
+        with ConsoleProgress() as progress:
+            proposal = proposal_for(project, survey, progress=progress)
+        for words in (words for target in proposal.targets for words in thinned_words(target)):
+            print(f"note: {words}", file=sys.stderr)
+        if arguments.accept:
+            for target in proposal.targets:
+                project = project.with_target(target)
+            projects.save_project(project)
     sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
     if arguments.json:
         targets = [

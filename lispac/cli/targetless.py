@@ -2,11 +2,11 @@
 
 from argparse import Namespace
 
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.estimate import numbers, print_result
 from lispac.progress import part
 from lispac.workflow.opinions import of_the_scene
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless as find
 
@@ -24,15 +24,15 @@ def targetless(arguments: Namespace) -> None:
             "targetless: an answer with the targets is no second opinion on theirs; leave --keep "
             "or --with-targets out."
         )
-    with ConsoleProgress() as progress:
-        project = open_project(arguments.project)
-        survey = load_survey(project, progress=part(progress, 0.0, 0.3))
-        found = find(
-            project, survey, with_targets=arguments.with_targets,
-            progress=part(progress, 0.3, 1.0),
-        )  # fmt: skip
-    if arguments.keep:
-        save_project(project.with_opinion(of_the_scene(found)))
+    with opened(arguments.project, change=arguments.keep) as project:
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+            found = find(
+                project, survey, with_targets=arguments.with_targets,
+                progress=part(progress, 0.3, 1.0),
+            )  # fmt: skip
+        if arguments.keep:
+            save_project(project.with_opinion(of_the_scene(found)))
     if arguments.json:
         print_json(
             numbers(found.result, None)

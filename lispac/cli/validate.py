@@ -3,7 +3,7 @@
 from argparse import Namespace
 from collections.abc import Mapping
 
-from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.doubles import project_doubts
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
@@ -31,11 +31,11 @@ def validate(arguments: Namespace) -> None:
     model = LocalModel(
         kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
     )
-    project = projects.open_project(arguments.project)
-    with ConsoleProgress() as progress:
-        survey = load_survey(project, progress=progress)
-        project = validated(project, survey, model=model, progress=progress)
-    projects.save_project(project)
+    with opened(arguments.project, change=True) as project:
+        with ConsoleProgress() as progress:
+            survey = load_survey(project, progress=progress)
+            project = validated(project, survey, model=model, progress=progress)
+        projects.save_project(project)
     true = rms_with_truth(project, survey)
     if arguments.json:
         print_json(

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.caches import DEMO, cache_place
 from lispac.doubles import project_doubts
-from lispac.errors import LispacError
+from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
@@ -53,6 +53,8 @@ class Controller(QObject):
         self._based: tuple[Task, Project] | None = None
         self.candidate: Target | None = None
         self.may_save: Callable[[Project], bool] = lambda _project: True
+        self.may_overwrite: Callable[[Project], bool] = lambda _project: False
+        """Whether a project that another program wrote meanwhile is overwritten."""
         document.changed.connect(self._follow)
 
     @property
@@ -180,14 +182,19 @@ class Controller(QObject):
         if not self.may_save(project):
             return False
         try:
-            save_project(project)
+            try:
+                saved = save_project(project, expected=self._document.file_digest)
+            except ProjectChanged:
+                if not self.may_overwrite(project):
+                    return False
+                saved = save_project(project)
         except LispacError as error:
             self.refused.emit(type(error)(f"{error} File > Save as… does that."))
             return False
         except OSError as error:
             self.refused.emit(error)
             return False
-        self._document.mark_saved()
+        self._document.mark_saved(saved.file_digest)
         self.noted.emit(f"Saved {project.name}")
         return True
 

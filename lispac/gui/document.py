@@ -61,6 +61,8 @@ class Document(QObject):
         super().__init__(parent)
         self._state: _State | None = None
         self._folder: Path | None = None
+        self.file_digest = ""
+        """Digest of the project file as it was read or last saved."""
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
         self._survey_told = True
@@ -115,6 +117,7 @@ class Document(QObject):
         self.undo_stack.clear()
         self._state = None if project is None else _State(project)
         self._folder = None if project is None else project.folder
+        self.file_digest = "" if project is None else project.file_digest
         self.survey = survey
         self._key = data_key(project) if project is not None and survey is not None else None
         self.show_again()
@@ -181,8 +184,9 @@ class Document(QObject):
             self._state.refused_since = reason
             self.changed.emit()
 
-    def mark_saved(self) -> None:
-        """The project on disk is the one in memory."""
+    def mark_saved(self, file_digest: str) -> None:
+        """The project on disk is the one in memory; its file has this digest."""
+        self.file_digest = file_digest
         self.undo_stack.setClean()
         self.saved.emit()
 
@@ -194,7 +198,7 @@ class Document(QObject):
     def move(self, project: Project, survey: Survey) -> None:
         """The project was saved in another folder and goes on there, with every edit before."""
         assert self._state is not None
-        self._folder = project.folder
+        self._folder, self.file_digest = project.folder, project.file_digest
         self._state.project = project
         self.undo_stack.setClean()
         self.set_survey(project, survey)
@@ -203,7 +207,8 @@ class Document(QObject):
         """The same project with the same way back, for a window made anew."""
         heir = Document(parent)
         heir._reported = self._reported
-        heir._folder, heir.survey, heir._key = self._folder, self.survey, self._key
+        heir._folder, heir.file_digest = self._folder, self.file_digest
+        heir.survey, heir._key = self.survey, self._key
         stack = self.undo_stack
         steps = [stack.command(k) for k in range(stack.count())]
         first = steps[0]._before if steps else self._state

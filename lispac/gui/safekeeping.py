@@ -14,7 +14,7 @@ from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
 from lispac.gui.language import say_moment
-from lispac.io.project_file import FILE_NAME, forget_unsaved, keep_unsaved
+from lispac.io.project_file import forget_unsaved, keep_unsaved
 from lispac.project import Project
 from lispac.workflow.moved import with_files_of
 from lispac.workflow.projects import Unsaved, require_folder, unsaved_work
@@ -26,7 +26,6 @@ LOCK_NAME = "open.lock"
 ELSEWHERE = (
     "Unsaved work of this window is not kept against a crash: another window has the project open."
 )
-Signature = tuple[int, int]
 
 
 class Safekeeping(QObject):
@@ -48,10 +47,10 @@ class Safekeeping(QObject):
         self._folder: Path | None = None
         self._lock: QLockFile | None = None
         self._keeps = False
-        self._saved: Signature | None = None
         self.trouble = ""
         """Why unsaved work is not kept, in words; empty where it is."""
         window.controller.may_save = self._may_save
+        window.controller.may_overwrite = lambda project: self._dialogs.overwrite(project.name)
         window.document.opened.connect(self._take)
         window.document.changed.connect(self._keep)
         # An edit is told of before the stack knows that it is no longer clean
@@ -71,7 +70,6 @@ class Safekeeping(QObject):
         if project is None:
             return
         self._folder, self._keeps = project.folder, True
-        self._saved = _signature(project.folder)
         self._settings.left_open = project.folder
         if not self._alone(project):
             self._keeps = False
@@ -135,7 +133,6 @@ class Safekeeping(QObject):
             return
         if project.folder != self._folder:  # saved as another
             self._folder = project.folder
-            self._saved = _signature(project.folder)
             self._settings.left_open = project.folder
             self._keeps = self._alone(project)
         if self._keeps and self._document.is_modified:
@@ -157,19 +154,16 @@ class Safekeeping(QObject):
 
     def _see(self) -> None:
         """The project on the disk is ours."""
-        assert self._folder is not None
-        self._saved = _signature(self._folder)
         self._tell("" if self._keeps else ELSEWHERE)
 
     def _may_save(self, project: Project) -> bool:
-        """Whether a save overwrites nothing that somebody else wrote; asks where it does."""
+        """Whether the folder of the project is still there."""
         try:
             require_folder(project)
         except InputError as error:
             self._dialogs.show_error(error)
             return False
-        changed = project.folder == self._folder and _signature(project.folder) != self._saved
-        return not changed or self._dialogs.overwrite(project.name)
+        return True
 
     def _cannot_keep(self, error: BaseException) -> None:
         # The next edit is tried again: a full disk gets room, a drive comes back
@@ -181,14 +175,6 @@ class Safekeeping(QObject):
     def _tell(self, trouble: str) -> None:
         self.trouble = trouble
         self.troubled.emit()
-
-
-def _signature(folder: Path) -> Signature | None:
-    try:
-        found = (folder / FILE_NAME).stat()
-    except OSError:
-        return None
-    return found.st_mtime_ns, found.st_size
 
 
 def _when(found: Unsaved) -> str:

@@ -176,7 +176,7 @@ def written_whole(path: Path) -> Iterator[Path]:
     ------
     InputError
         Where the folder cannot be written, or the disk is full.
-    """  # noqa: DOC501 - `_not_written` makes an InputError
+    """  # noqa: DOC501 - `not_written` makes an InputError
     path = Path(path)
     made = [folder for folder in path.parents if not folder.exists()]
     try:
@@ -186,8 +186,8 @@ def written_whole(path: Path) -> Iterator[Path]:
         )
         os.close(handle)
     except OSError as error:
-        _remove_empty(made)
-        raise _not_written(path, error) from error
+        remove_empty(made)
+        raise not_written(path, error) from error
     temporary = Path(name)
     try:
         yield temporary
@@ -197,10 +197,10 @@ def written_whole(path: Path) -> Iterator[Path]:
         temporary.chmod(0o666 & ~mask)
         temporary.replace(path)
     except OSError as error:
-        raise _not_written(path, error) from error
+        raise not_written(path, error) from error
     finally:
         temporary.unlink(missing_ok=True)
-        _remove_empty(made)
+        remove_empty(made)
 
 
 ABANDONED_AFTER = 60.0
@@ -223,14 +223,15 @@ def remove_abandoned(path: Path) -> None:
         return  # a folder that may be read only, or somebody else was faster
 
 
-def _not_written(path: Path, error: OSError) -> InputError:
+def not_written(path: Path, error: OSError) -> InputError:
+    """Make the error of a file that cannot be written."""
     remedy = "choose another folder"
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         remedy = f"make room on the disk or {remedy}"
     return InputError(f"{path}: cannot be written ({error.strerror or error}); {remedy}.")
 
 
-def _remove_empty(folders: list[Path]) -> None:
+def remove_empty(folders: list[Path]) -> None:
     """Remove folders, the innermost first, up to one that holds something."""
     for folder in folders:
         try:

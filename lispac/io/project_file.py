@@ -15,8 +15,9 @@ import re
 import tokenize
 import zipfile
 import zlib
-from collections.abc import Iterable
-from contextlib import suppress
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -25,10 +26,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.errors import InputError, ProjectError
+from lispac.errors import InputError, ProjectChanged, ProjectError
 from lispac.identity import Identity
 from lispac.io.consistency import require_consistent
-from lispac.io.files import remove_abandoned, written_whole
+from lispac.io.files import not_written, remove_abandoned, remove_empty, written_whole
+from lispac.io.project_lock import FILE_NAME as FILE_NAME
+from lispac.io.project_lock import digest_of, project_lock
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import Unfit, decoded, encoded, in_one_line
 from lispac.messages import Message
@@ -48,7 +51,6 @@ from lispac.targets.settings import USUAL, FinderChoices
 from lispac.validation.absolute import AbsoluteCheck
 from lispac.validation.comparison import PlaneComparison
 
-FILE_NAME = "project.json"
 UNSAVED_NAME = "unsaved.json"
 SIGHTINGS = "sightings"
 OPENER = "project.lispac"
@@ -56,20 +58,74 @@ OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
 
 
-def write_project(project: Project) -> None:
+def write_project(project: Project, *, expected: str | None = None) -> str:
     """Write the project into its folder; the old state stays until the new one is complete.
 
     What is kept against a crash stays: it may be of another window, or not have been asked for yet.
 
+    Parameters
+    ----------
+    expected : str, optional
+        Digest that the project file on the disk must have: `Project.file_digest`, or what the last
+        save returned. Without it, whatever is there is replaced.
+
+    Returns
+    -------
+    str
+        Digest of the new project file.
+
     Raises
     ------
+    ProjectChanged
+        Where the file has another digest; nothing is written.
+    ProjectError
+        Where a project is found and none was expected, or another program is changing it.
     InputError
         Where the folder cannot be written.
     """
-    used = _write(project, FILE_NAME)
-    _write_opener(project.folder / OPENER)
-    _remove_unused(project.folder, used | _used_unsaved(project.folder))
-    remove_abandoned(project.folder / FILE_NAME)
+    folder, path = project.folder, project.folder / FILE_NAME
+    with _folder_made(folder), project_lock(folder):
+        if expected is not None and (found := _digest_on_disk(path)) != expected:
+            if found and not expected:
+                raise ProjectError(
+                    f"{folder}: there is a project here already; choose another folder."
+                )
+            raise ProjectChanged(
+                f"{folder}: another program has written this project since it was opened; nothing "
+                "was saved. Open it again and repeat your changes, or save it in another folder."
+            )
+        used = _write(project, FILE_NAME)
+        _write_opener(folder / OPENER)
+        _remove_unused(folder, used | _used_unsaved(folder))
+        remove_abandoned(path)
+        return _digest_on_disk(path)
+
+
+@contextmanager
+def _folder_made(folder: Path) -> Iterator[None]:
+    """Make a folder; it goes again where nothing is written into it.
+
+    Raises
+    ------
+    InputError
+        Where it cannot be made.
+    """  # noqa: DOC501 - `not_written` makes an InputError
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        yield
+    except OSError as error:
+        raise not_written(folder / FILE_NAME, error) from error
+    finally:
+        remove_empty(made)
+
+
+def _digest_on_disk(path: Path) -> str:
+    """Digest of the file of a project; empty where there is none."""
+    try:
+        return digest_of(path.read_bytes())
+    except FileNotFoundError:
+        return ""
 
 
 def _write_opener(path: Path) -> None:
@@ -98,10 +154,13 @@ def keep_unsaved(project: Project) -> None:
 
     Raises
     ------
+    ProjectError
+        Where another program is changing the project.
     InputError
         Where the folder cannot be written.
     """
-    _write(project, UNSAVED_NAME)
+    with project_lock(project.folder):
+        _write(project, UNSAVED_NAME)
 
 
 def forget_unsaved(folder: Path) -> None:
@@ -133,18 +192,54 @@ def read_project(folder: Path) -> Project:
     ProjectError
         Where there is no project, or its file is damaged or of a newer version.
     """
-    folder = Path(folder)
-    path = (folder.parent if is_project_file(folder) else folder) / FILE_NAME
-    if not path.is_file():
-        raise ProjectError(f"{folder}: there is no project here ({FILE_NAME} is missing).")
+    path = project_folder(folder) / FILE_NAME
     project = _read(path)
     remove_abandoned(path)
     return project
 
 
+def project_folder(path: Path) -> Path:
+    """Folder of a project, from itself, its ``project.json`` or the file that opens it.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no project.
+    """
+    path = Path(path)
+    folder = path.parent if is_project_file(path) else path
+    if not (folder / FILE_NAME).is_file():
+        raise ProjectError(f"{path}: there is no project here ({FILE_NAME} is missing).")
+    return folder
+
+
 def _read(path: Path) -> Project:
+    """Read a state of a project; again where another program writes one meanwhile.
+
+    The points that a state refers to are removed when the next state is saved.
+
+    Raises
+    ------
+    ProjectError
+    """
+    while True:
+        try:
+            content = path.read_bytes()
+        except OSError as error:
+            raise ProjectError(
+                f"{path}: the project file cannot be read ({error.strerror or error}); "
+                "check the disk and its permissions."
+            ) from error
+        try:
+            return replace(_decoded(path, content), file_digest=digest_of(content))
+        except ProjectError:
+            if _digest_on_disk(path) in ("", digest_of(content)):
+                raise
+
+
+def _decoded(path: Path, text: bytes) -> Project:
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(text.decode("utf-8"))
         version = content["schema_version"]
         if version > SCHEMA_VERSION:
             raise ProjectError(
@@ -155,8 +250,7 @@ def _read(path: Path) -> Project:
     except InputError as error:
         raise ProjectError(f"{path}: {error}") from error
     except (
-        OSError, ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError,
-        RecursionError,
+        ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, RecursionError,
     ) as error:  # fmt: skip
         raise ProjectError(
             f"{path}: the project file is damaged ({_plainly(error)}); restore it from a copy."
@@ -172,8 +266,6 @@ def _plainly(error: Exception) -> str:
         return "it is not text"
     if isinstance(error, KeyError):
         return f"{error.args[0]} is missing in it"
-    if isinstance(error, OSError):
-        return error.strerror or "it cannot be read"
     return str(error) if isinstance(error, Unfit) else "something in it is of the wrong kind"
 
 

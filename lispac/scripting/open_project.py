@@ -350,8 +350,14 @@ class OpenProject(Held):
         return script_of(self.project, self.survey, progress=self._progress).text
 
     def save(self) -> None:
-        """Write the project into its folder."""
-        projects.save_project(self.project)
+        """Write the project into its folder.
+
+        Raises
+        ------
+        ProjectError
+            Where another program has written the project since it was opened, or is changing it.
+        """
+        self.project = projects.save_project(self.project, expected=self.project.file_digest)
 
     def save_as(self, folder: AnyPath) -> None:
         """Write the project into another folder, with its imported lines, and go on there."""

@@ -3,6 +3,7 @@
 import csv
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from io import StringIO
 from pathlib import Path
@@ -20,7 +21,7 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.workflow.calibration import estimate
 from lispac.workflow.export import content_of, write_report
 from lispac.workflow.history import projects_in
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.projects import open_project, project_to_change, save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.survey_dates import survey_dates
 from lispac.workflow.validation import validate
@@ -135,12 +136,12 @@ def _row(
 ) -> Row:
     known = Row(folder, folder.name, "refused", ())
     try:
-        project = open_project(folder)
-        known = replace(
-            known, vessel=project.identity.vessel,
-            dates=project.identity.dates or survey_dates(project),
-        )  # fmt: skip
-        return _calibrated(known, project, save, report, options, progress)
+        with project_to_change(folder) if save else nullcontext(open_project(folder)) as project:
+            known = replace(
+                known, vessel=project.identity.vessel,
+                dates=project.identity.dates or survey_dates(project),
+            )  # fmt: skip
+            return _calibrated(known, project, save, report, options, progress)
     except LispacError as error:
         return replace(known, remarks=(str(error),))
     except OSError as error:

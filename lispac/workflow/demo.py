@@ -106,6 +106,6 @@ def calibrate_demo(project: Project, *, progress: Progress = no_progress) -> tup
         project = pick(project, survey, seed, name=name, role=role)
     project = estimate(project, survey, progress=part(progress, 0.65, 0.75))
     project = validate(project, survey, progress=part(progress, 0.75, 1.0))
-    save_project(project)
+    project = save_project(project, expected=project.file_digest)
     progress(1.0, "Demo done")
     return project, survey

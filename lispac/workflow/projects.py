@@ -1,7 +1,7 @@
 """Making, opening and saving projects."""
 
 import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,10 +12,12 @@ from lispac.io.files import require_file
 from lispac.io.project_file import (
     FILE_NAME,
     UNSAVED_NAME,
+    project_folder,
     read_project,
     read_unsaved,
     write_project,
 )
+from lispac.io.project_lock import FOREVER, project_lock
 from lispac.messages import Message
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
@@ -71,8 +73,8 @@ def create_project(
         data_messages=messages,
     )
     _require_new(project)
-    write_project(project)
-    return project
+    digest = write_project(project, expected="")
+    return replace(project, file_digest=digest)
 
 
 def _require_new(project: Project) -> None:
@@ -269,6 +271,30 @@ def open_project(folder: Path) -> Project:
     return opened_with_notes(folder)[0]
 
 
+@contextmanager
+def project_to_change(
+    folder: Path, *, waiting: Callable[[], None] = lambda: None
+) -> Iterator[Project]:
+    """Open a project, and let no other program change it until the block ends.
+
+    Another program that is changing it is waited for.
+
+    Parameters
+    ----------
+    waiting : callable
+        Called once when it has to wait.
+
+    Raises
+    ------
+    ProjectError
+    InputError
+        Where the folder cannot be written.
+    """
+    place = project_folder(folder)
+    with project_lock(place, wait=FOREVER, waiting=waiting):
+        yield open_project(place)
+
+
 def opened_with_notes(folder: Path) -> tuple[Project, tuple[str, ...]]:
     """Open a project as `open_project` does, and say which files were found elsewhere.
 
@@ -326,12 +352,12 @@ def require_folder(project: Project) -> None:
         )
 
 
-def save_project(project: Project) -> None:
-    """Save a project into its folder.
+def save_project(project: Project, *, expected: str | None = None) -> Project:
+    """Save a project into its folder; parameters and errors as `write_project`.
 
-    Raises
-    ------
-    InputError
-        Where the folder cannot be written.
+    Returns
+    -------
+    Project
+        With the digest of its new file.
     """
-    write_project(project)
+    return replace(project, file_digest=write_project(project, expected=expected))

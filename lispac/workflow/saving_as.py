@@ -73,8 +73,8 @@ def save_project_as(
                 "choose another folder."
             ) from error
         with _sightings_taken_back(folder):
-            write_project(moved)
-    return moved, replace(survey, scans=scans, clouds=clouds)
+            digest = write_project(moved, expected="")
+    return replace(moved, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
 
 
 @contextmanager

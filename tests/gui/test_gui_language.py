@@ -109,7 +109,7 @@ def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo)
     english = session.window
     english.document.open(demo.picked, demo.survey)
     english.controller.rename("T1", "North wall")
-    english.document.mark_saved()
+    english.document.mark_saved(english.document.file_digest)
     english.controller.rename("T2", "South wall")
     english.settings.language = "fr"
     english.renew()

@@ -4225,6 +4225,18 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>comme prévu</translation>
     </message>
     <message>
+        <source>{folder:file}: another program is changing this project; nothing was saved. Wait until it has ended, then try again.</source>
+        <translation>{folder} : un autre programme modifie ce projet ; rien n'a été enregistré. Attendez qu'il ait terminé, puis recommencez.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: another program has written this project since it was opened; nothing was saved. Open it again and repeat your changes, or save it in another folder.</source>
+        <translation>{folder} : un autre programme a enregistré ce projet depuis son ouverture ; rien n'a été enregistré. Ouvrez-le de nouveau et refaites vos modifications, ou enregistrez-le dans un autre dossier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the project file cannot be read ({error:foreign}); check the disk and its permissions.</source>
+        <translation>{path} : le fichier du projet ne peut pas être lu ({error}) ; vérifiez le disque et les droits d'accès.</translation>
+    </message>
+    <message>
         <source>{folder:file}: there is a project here already; choose another folder.</source>
         <translation>{folder} : il y a déjà un projet ici ; choisissez un autre dossier.</translation>
     </message>

@@ -1,0 +1,73 @@
+"""One program at a time changes a project; what another one wrote is not overwritten unseen."""
+
+import hashlib
+import math
+import os
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from lispac.errors import ProjectError
+from lispac.io.files import not_written
+from lispac.locks import LockTaken, file_lock
+
+FILE_NAME = "project.json"
+LOCK_NAME = ".project.lock"
+WAIT = 2.0
+"""Seconds that a save waits for another program."""
+FOREVER = math.inf
+
+_held: dict[tuple[str, int], int] = {}
+"""How often each thread of this process holds each project."""
+
+
+@contextmanager
+def project_lock(
+    folder: Path, *, wait: float = WAIT, waiting: Callable[[], None] = lambda: None
+) -> Iterator[None]:
+    """Hold a project folder for writing; a thread that holds it can take it again.
+
+    Parameters
+    ----------
+    wait : float
+        Seconds to wait for another program that holds it.
+    waiting : callable
+        Called once when it has to wait.
+
+    Raises
+    ------
+    ProjectError
+        Where another program still holds it after that time.
+    InputError
+        Where the folder cannot be written.
+    """  # noqa: DOC501 - `not_written` makes an InputError
+    key = os.path.realpath(folder), threading.get_ident()
+    if key in _held:
+        _held[key] += 1
+        try:
+            yield
+        finally:
+            _held[key] -= 1
+        return
+    lock = file_lock(folder / LOCK_NAME, wait=wait, waiting=waiting)
+    try:
+        lock.__enter__()
+    except LockTaken as error:
+        raise ProjectError(
+            f"{folder}: another program is changing this project; nothing was saved. "
+            "Wait until it has ended, then try again."
+        ) from error
+    except OSError as error:
+        raise not_written(folder / FILE_NAME, error) from error
+    _held[key] = 1
+    try:
+        yield
+    finally:
+        del _held[key]
+        lock.__exit__(None, None, None)
+
+
+def digest_of(content: bytes) -> str:
+    """Digest of the content of a project file, by which a change of it is noticed."""
+    return hashlib.sha256(content).hexdigest()
