@@ -113,7 +113,7 @@ def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Sur
     assert found.lines == tuple(survey.scans)
     off = np.degrees(found.boresight) - project.truth_deg
     assert (np.abs(off) < 3 * np.degrees(found.sigma)).all(), off
-    assert np.degrees(found.sigma).max() < 0.02
+    assert np.degrees(found.sigma).max() < 0.025
     few = project
     for plane in project.of_role("validation")[1:]:
         few = few.without_target(plane.name)
