@@ -10,6 +10,7 @@ import io
 import struct
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 import lazrs
 
@@ -19,6 +20,10 @@ LARGEST_CHUNK = 1 << 28
 """Bytes of one chunk unpacked; writers make chunks of 50,000 points, a few megabytes."""
 LAYERED = 3
 """Compressor of point formats from 6 on."""
+LAYERS = {10: 9, 11: 1, 12: 2, 13: 1}
+"""Layers of each item of a record (point, RGB, RGB with NIR, waveform), by its type; of extra bytes
+each byte has one (LAZ specification 1.4)."""
+EXTRA_BYTES = 14
 
 
 @dataclass(frozen=True)
@@ -141,6 +146,8 @@ def laz_chunks(
             found = tuple(entry for entry in lazrs.read_chunk_table(file, laz) if entry[1])
         except (lazrs.LazrsError, OSError, ValueError):
             return None
+        if record[0] == LAYERED and not _layers_fit(file, points_start + 8, record, found):
+            return None
     held = sum(length for _, length in found)
     most = max((count for count, _ in found), default=0)
     sound = (
@@ -149,6 +156,29 @@ def laz_chunks(
         and most * point_size <= LARGEST_CHUNK
     )
     return LazChunks(path, points_start + 8, record, found) if sound else None
+
+
+def _layers_fit(file: BinaryIO, at: int, record: bytes, table: tuple[tuple[int, int], ...]) -> bool:
+    """Whether the layers of each chunk are in it: lazrs allocates what their sizes claim.
+
+    A chunk of these holds its first point, the number of points, the sizes of its layers and these.
+    """
+    (items,) = struct.unpack_from("<H", record, 32)
+    layers = point = 0
+    for kind, size, _ in struct.iter_unpack("<3H", record[34 : 34 + 6 * items]):
+        layers += size if kind == EXTRA_BYTES else LAYERS.get(kind, 0)
+        point += size
+    head = point + 4 + 4 * layers
+    for _, length in table:
+        file.seek(at + point + 4)
+        sizes = file.read(4 * layers)
+        if (
+            len(sizes) < 4 * layers
+            or head + sum(v for (v,) in struct.iter_unpack("<I", sizes)) > length
+        ):
+            return False
+        at += length
+    return True
 
 
 def _laszip_record(head: bytes, at: int, records: int) -> bytes | None:

@@ -3,8 +3,13 @@
 OBJ is read here: Open3D leaves faces of more than three corners out of it without a word.
 """
 
+import os
 import re
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from itertools import pairwise
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +23,10 @@ Array = NDArray[np.float64]
 
 ENDINGS = (".ply", ".obj", ".stl")
 HEAD = 65_536
+MEMORY = 1 << 29
+MEMORY_PER_BYTE = 60
+"""Bytes that reading a mesh may take: these, and as many for each byte of its file. A triangle of
+ASCII STL with its corners takes about one for each byte, one of binary PLY ten."""
 
 
 def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
@@ -36,6 +45,10 @@ def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
     vertices, triangles = _of_obj(path) if ending == ".obj" else _of_open3d(path, ending)
     if not len(triangles):
         raise InputError(f"{path}: no triangles are in it; export the mesh, not its points.")
+    if triangles.min() < 0 or triangles.max() >= len(vertices):
+        raise InputError(
+            f"{path}: a triangle has a corner that is not in the file; export the mesh again."
+        )
     if not np.isfinite(vertices).all():
         raise InputError(f"{path}: a vertex is not a number; export the mesh again.")
     a, b, c = (vertices[column] for column in triangles.T)
@@ -68,12 +81,45 @@ def _ending(path: Path) -> str:
 
 
 def _of_open3d(path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
+    """Vertices and triangles, read by Open3D in a process of its own: a damaged file may end it.
+
+    Raises
+    ------
+    InputError
+        Where that process ends, or runs out of memory.
+    """
+    with (
+        plain_name(path, ending) as name,
+        ProcessPoolExecutor(1, get_context("spawn")) as pool,
+    ):
+        try:
+            return pool.submit(_read_alone, str(name)).result()
+        except (BrokenProcessPool, MemoryError, RuntimeError) as error:
+            raise InputError(
+                f"{path}: this mesh file is damaged and cannot be read; export the mesh again."
+            ) from error
+
+
+def _read_alone(name: str) -> tuple[Array, NDArray[np.int64]]:
+    """Vertices and triangles; runs in a process of its own."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)  # an abort prints its own words
     import open3d
 
+    _limit_memory(MEMORY + MEMORY_PER_BYTE * os.path.getsize(name))
     level = open3d.utility.VerbosityLevel.Error
-    with plain_name(path, ending) as name, open3d.utility.VerbosityContextManager(level):
-        found = open3d.io.read_triangle_mesh(name)
+    with open3d.utility.VerbosityContextManager(level):
+        found = open3d.io.read_triangle_mesh(Path(name))
     return np.asarray(found.vertices, dtype=float), np.asarray(found.triangles, dtype=np.int64)
+
+
+def _limit_memory(more: int) -> None:
+    """Let this process take so many bytes more; Windows has no such limit."""
+    if sys.platform == "linux":
+        import resource
+
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+        most = pages * resource.getpagesize() + more
+        resource.setrlimit(resource.RLIMIT_AS, (most, most))
 
 
 def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:

@@ -15,7 +15,7 @@ import re
 import tokenize
 import zipfile
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from io import BytesIO
@@ -53,6 +53,7 @@ from lispac.validation.comparison import PlaneComparison
 
 UNSAVED_NAME = "unsaved.json"
 SIGHTINGS = "sightings"
+BLOCK = 1 << 20
 OPENER = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
@@ -380,7 +381,7 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
         )
         for item, indices in zip(
             content["sightings"],
-            _read_indices(path, content["name"], len(content["sightings"])),
+            _read_indices(path, content["name"], [_count(s) for s in content["sightings"]]),
             strict=True,
         )
     )
@@ -400,6 +401,22 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
     )
 
 
+def _count(sighting: dict[str, Any]) -> int:
+    """Points of a sighting.
+
+    Raises
+    ------
+    Unfit
+    """
+    count = sighting["points"]
+    if isinstance(count, bool) or not isinstance(count, int) or count < 0:
+        raise Unfit("the number of points of a sighting is not one")
+    return count
+
+
+INDEX_BYTES = 8
+ARRAY_HEADER = 4096
+"""Bytes before the numbers of an array in a file of NumPy, at most."""
 UNREADABLE = (
     OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
     tokenize.TokenError, zipfile.BadZipFile, zlib.error,
@@ -407,14 +424,28 @@ UNREADABLE = (
 """What numpy and zipfile raise where a file of theirs is damaged."""
 
 
-def _read_indices(path: Path, target: str, count: int) -> list[NDArray[np.int64]]:
+def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArray[np.int64]]:
+    """Indices of each sighting; ``points`` are their numbers as the project states them.
+
+    Raises
+    ------
+    ProjectError
+    """  # noqa: DOC501 - its own ValueError is caught
     try:
         # Opened here: numpy leaves a file open where it cannot make sense of it.
         with path.open("rb") as file, np.load(file) as arrays:
-            found = [arrays[f"line{k}"] for k in range(count)]
-        for indices in found:
+            found = []
+            for k, count in enumerate(points):
+                # Before it is unpacked: a small file may claim any size
+                size = arrays.zip.getinfo(f"line{k}.npy").file_size
+                if size > INDEX_BYTES * count + ARRAY_HEADER:
+                    raise ValueError(f"it holds {size:,} bytes for {count:,} points")
+                found.append(arrays[f"line{k}"])
+        for indices, count in zip(found, points, strict=True):
             if indices.ndim != 1 or indices.dtype.kind not in "iu" or (indices < 0).any():
                 raise ValueError(f"it holds {indices.dtype} of shape {indices.shape}")
+            if len(indices) != count:
+                raise ValueError(f"it holds {len(indices):,} of {count:,} points")
     except UNREADABLE as error:
         raise ProjectError(
             f"{path}: the points of target {target} are damaged ({in_one_line(error)}); restore "
@@ -451,7 +482,7 @@ def _used_unsaved(folder: Path) -> set[str]:
     try:
         content = json.loads((folder / UNSAVED_NAME).read_text(encoding="utf-8"))
         return {target["indices"] for target in content["targets"]}
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return set()  # there is none, or it cannot be opened either
 
 
@@ -470,9 +501,19 @@ def _is_own(path: Path) -> bool:
     if named is None or is_link(path) or not path.is_file():
         return False
     try:
-        with path.open("rb") as file, np.load(file) as arrays:
-            names = sorted(arrays.files, key=lambda name: int(name.removeprefix("line")))
-            return _digest(arrays[name] for name in names) == named[1]
+        with zipfile.ZipFile(path) as arrays:
+            names = sorted(
+                arrays.namelist(), key=lambda name: int(name[len("line") : -len(".npy")])
+            )
+            digest = hashlib.sha256()
+            for name in names:
+                with arrays.open(name) as file:
+                    np.lib.format.read_magic(file)
+                    np.lib.format.read_array_header_1_0(file)
+                    while block := file.read(BLOCK):  # it may unpack to any size
+                        digest.update(block)
+                digest.update(b"|")
+            return digest.hexdigest()[:16] == named[1]
     except UNREADABLE:
         return False
 

@@ -3,6 +3,7 @@
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -16,6 +17,7 @@ from lispac.io.project_file import (
     read_project,
     read_unsaved,
 )
+from tests.concurrent_commands import pool, run
 from tests.gui.killed import killed_after_editing
 from tests.gui.support import WAIT_MS, Control, Driver, Key, press
 
@@ -121,6 +123,39 @@ def test_a_project_open_twice_is_noticed(
     driver.window.controller.rename("T1", "Northern wall")
     driver.window.actions_["save"].trigger()
     assert driver.dialogs.safety == [f"overwrite {folder.name}"] * 2, "its own save is no news"
+
+
+def window_and_command_at_once(driver: Driver, folder: Path, times: int) -> None:
+    """See that each change is in the project, or the window said that it was not saved."""
+    chance = np.random.default_rng(35)
+    opened(driver, folder)
+    driver.dialogs.overwrites = False
+    with pool() as processes:
+        processes.submit(run, ("identity",), folder).result()  # its modules are loaded
+        for k in range(times):
+            vessel, name = f"Vessel {k}", f"Wall {k}"
+            command = processes.submit(run, ("identity", "--vessel", vessel), folder)
+            driver.bot.wait(int(chance.integers(0, 40)))
+            driver.window.controller.rename(driver.project.targets[0].name, name)
+            asked, errors = len(driver.dialogs.safety), len(driver.dialogs.errors)
+            saved = driver.window.controller.save()
+            assert command.result()[0] == 0
+            found = read_project(folder)
+            assert found.identity.vessel == vessel
+            told = len(driver.dialogs.safety) > asked or len(driver.dialogs.errors) > errors
+            assert saved != told
+            assert (name in names(found)) == saved
+            driver.window.document.open(None, None)
+            opened(driver, folder)
+
+
+def test_the_window_and_a_command_at_once(driver: Driver, folder: Path) -> None:
+    window_and_command_at_once(driver, folder, 3)
+
+
+@pytest.mark.long
+def test_the_window_and_many_commands_at_once(driver: Driver, folder: Path) -> None:
+    window_and_command_at_once(driver, folder, 60)
 
 
 def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> None:
