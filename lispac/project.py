@@ -4,6 +4,7 @@ Every edit gives a new value and drops the results that no longer follow from it
 the old value and a stale answer cannot be shown.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -38,6 +39,17 @@ from lispac.validation.comparison import PlaneComparison
 
 DEFAULT_THRESHOLD = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
+
+
+LIMITS = {
+    "position sigma": (1e-6, 1e4, "m"), "attitude sigma": (1e-9, 180.0, "deg"),
+    "LiDAR sigma": (1e-6, 100.0, "m"), "LiDAR sigma along x, y, z": (1e-6, 100.0, "m"),
+    "subsampling distance": (1e-6, 1e3, "m"), "scan-angle offset": (0.0, 360.0, "deg"),
+    "correlation time": (1e-3, 1e7, "s"), "surface sigma": (1e-7, 100.0, "m"),
+    "longest gap": (1e-3, 1e6, "s"),
+}  # fmt: skip
+"""Least and largest amount of each setting other than zero, and its unit. What lies beyond is an
+error of typing, and would overflow in the adjustment."""
 
 
 @dataclass(frozen=True)
@@ -130,6 +142,13 @@ class Settings:
         for name, values in numbers.items():
             if not np.isfinite(values).all():
                 raise InputError(f"The {name} is not a number; correct it.")
+            least, most, unit = LIMITS.get(name, (0.0, math.inf, ""))
+            for value in values:
+                if value and not least <= abs(value) <= most:
+                    raise InputError(
+                        f"The {name} is {value:g} {unit}, beyond what is possible "
+                        f"({least:g} to {most:g} {unit}); correct it."
+                    )
         if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
             raise InputError("A sigma or the subsampling distance is negative; correct it.")
         if self.pos_errors not in POS_ERRORS:

@@ -85,6 +85,30 @@ def json_like(content: bytes) -> st.SearchStrategy[bytes]:
     return st.one_of(damaged(content), written, written, nested)
 
 
+TOML_VALUES = [
+    "1e400", "-1e400", "nan", "inf", "9" * 5000, "-" + "9" * 30, "[" * 3000, "{a = " * 500, "[]",
+    "{}", "[1, 2]", "[[1]]", "true", '""', '"x"', '"a\\u0000b"', '"a\\nb"', "'" + "y" * 5000 + "'",
+    "1979-05-27", "-1", "0", "1e-320", '"../../etc/passwd"', '"nan"', "{b = 1}",
+]  # fmt: skip
+
+
+def toml_like(content: bytes) -> st.SearchStrategy[bytes]:
+    """The bytes of a TOML file damaged, or whole with other values or without a line."""
+    lines = content.decode().splitlines()
+    values = st.sampled_from(TOML_VALUES)
+    edit = st.tuples(st.integers(0, len(lines) - 1), values | st.none())
+
+    def apply(edits: list[tuple[int, str | None]]) -> bytes:
+        changed: list[str] = list(lines)
+        for at, value in edits:
+            key, mark, _ = changed[at].partition("=")
+            changed[at] = "" if value is None else f"{key}= {value}" if mark else changed[at]
+        return "\n".join(changed).encode()
+
+    written = st.builds(apply, st.lists(edit, min_size=1, max_size=3))
+    return st.one_of(damaged(content), written, written)
+
+
 def fuzz(made: st.SearchStrategy[bytes], attempt: Attempt, examples: int) -> tuple[int, int]:
     """Put examples before a reader; how many there were, and how many were read."""
     inputs = read = 0

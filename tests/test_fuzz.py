@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 from zlib import crc32
@@ -17,23 +18,34 @@ from hypothesis import strategies as st
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.settings import AppSettings
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
+from lispac.io.mesh_file import MeshReader, read_mesh
+from lispac.io.plan_file import read_plan, read_site
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.registry import Finding
+from lispac.io.scanner_file import read_scanner
+from lispac.io.scene_file import read_scene
 from lispac.io.seed_file import looks_like_a_list, read_point_list
+from lispac.io.sensor_file import read_pos_figures, read_scanner_figures
 from lispac.io.static_scan import static_scan
+from lispac.io.vessel_file import read_vessel
+from lispac.simulation.meshes import Mesh
 from lispac.survey.store import layout
+from lispac.survey.store.columns import checksum_of
 from lispac.survey.store.reading import open_store
 from lispac.survey.store.writing import write_store
 from lispac.targets.settings import FinderChoices
+from lispac.workflow.report_options import report_options
 from tests import point_files
-from tests.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like
+from tests.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like, toml_like
 from tests.report_sample import sample_project
 from tests.static_scans import write_pts
 from tests.store_lines import RECIPE, Line, files_of, place, small, stop_at
+from tests.test_meshes import write_mesh
 from tests.test_trajectory_bad_input import anything, good
 
 __all__ = ["small"]
 
+ROOT = Path(__file__).parents[1]
 FORMATS = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
 SHORT = 15
 
@@ -241,6 +253,8 @@ def stored(folder: Path) -> None:
 def used(folder: Path) -> None:
     """Open a store and take all of it."""
     found = open_store(folder, "L1")
+    for points in (found.take(np.arange(0, len(found), 7))[0], found.coarse.points_local):
+        assert (np.abs(points) < 1e6).all()
     for values in (found.points_lidar, found.time, *found.extra.values(), found.coarse.rows):
         np.asarray(values).tobytes()
     assert found.numbers(np.arange(3)).shape == (3,)
@@ -295,6 +309,68 @@ def columns(folder: Path) -> tuple[Sources, Attempt]:
     return [numbers.flatmap(of_one), any_of_them], attempt
 
 
+def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
+    """Column files changed by somebody who also puts checksums and times right."""
+    stored(folder / "L1")
+    whole = layout.read_manifest(folder / "L1")
+    assert whole is not None
+    paths = [folder / "L1" / whole.folder / column.file for column in whole.files]
+    sound = [path.read_bytes() for path in paths]
+
+    def attempt(content: bytes) -> bool:
+        number, content = content[0] % len(paths), content[1:]
+        paths[number].write_bytes((content + sound[number][len(content) :])[: len(sound[number])])
+        reseal(folder / "L1", whole)
+        try:
+            return said_by(lambda: used(folder / "L1")) is None
+        finally:
+            paths[number].write_bytes(sound[number])
+
+    extreme = st.sampled_from([np.nan, np.inf, -np.inf, 3e38, -1.0, 1e300, 2.0**31, 2.0**63 - 1024])
+
+    def with_value(number: int) -> st.SearchStrategy[bytes]:
+        values = np.load(paths[number])
+
+        def changed(at: int, value: float) -> bytes:
+            made = values.copy()
+            with np.errstate(all="ignore"), warnings.catch_warnings():
+                warnings.simplefilter("ignore", RuntimeWarning)
+                made.flat[at % made.size] = np.array(value).astype(made.dtype)
+            buffer = BytesIO()
+            np.save(buffer, made)
+            return bytes([number]) + buffer.getvalue()
+
+        return st.builds(changed, st.integers(0, values.size), extreme)
+
+    def of_one(number: int) -> st.SearchStrategy[bytes]:
+        return damaged(sound[number]).map(lambda content: bytes([number]) + content)
+
+    numbers = st.integers(0, len(paths) - 1)
+    return [numbers.flatmap(with_value), numbers.flatmap(of_one)], attempt
+
+
+def reseal(folder: Path, manifest: layout.Manifest) -> None:
+    """Write checksums and times of the column files as they are now."""
+
+    def sealed(column: layout.Column) -> layout.Column:
+        if not column.file:
+            return column
+        path = folder / manifest.folder / column.file
+        status = path.stat()
+        return replace(
+            column, checksum=checksum_of(path), size=status.st_size, modified=status.st_mtime_ns
+        )
+
+    layout.write_manifest(
+        folder,
+        replace(
+            manifest,
+            columns=tuple(sealed(column) for column in manifest.columns),
+            attributes=tuple(sealed(column) for column in manifest.attributes),
+        ),
+    )
+
+
 def spool(folder: Path) -> tuple[Sources, Attempt]:
     """What an interrupted import has left: used where it is whole, else read again."""
     stored(folder / "whole")
@@ -323,7 +399,74 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
     return [st.integers(0, len(files) - 1).flatmap(of_one)], attempt
 
 
+def toml(pattern: str, read: Callable[[Path], object]) -> Subject:
+    """Files of the program, and a reader of such files."""
+
+    def made(folder: Path) -> tuple[Sources, Attempt]:
+        path = folder / "made.toml"
+        sources = sorted(ROOT.glob(pattern))
+        assert sources
+
+        def attempt(content: bytes) -> bool:
+            path.write_bytes(content)
+            told = said_by(lambda: read(path))
+            assert told is None or len(told) < 1500
+            return told is None
+
+        return [*(toml_like(source.read_bytes()) for source in sources), anything], attempt
+
+    return made
+
+
+def report_template(folder: Path) -> tuple[Sources, Attempt]:
+    path = folder / "made.toml"
+    sound = (
+        b'company = "Lev\xc3\xa9s"\nheading = "Quai"\nlogo = "logo.png"\npage = "A4"\n'
+        b'language = "fr"\n'
+    )
+
+    def attempt(content: bytes) -> bool:
+        path.write_bytes(content)
+        return said_by(lambda: report_options(path)) is None
+
+    return [toml_like(sound), anything], attempt
+
+
+def meshes(folder: Path) -> tuple[Sources, Attempt]:
+    """Read in one process that is made anew where a file ends it."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]], dtype=float)
+    mesh = Mesh("m", corners, np.array([[0, 1, 2], [0, 2, 3]]))
+    sources = []
+    for name in ("a.ply", "a.stl", "a.obj"):
+        write_mesh(folder / name, mesh)
+        sources.append((folder / name).read_bytes())
+    sources.append(
+        b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        b"property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        b"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+    )
+    path = folder / "mesh.ply"
+    count = st.integers(0, 2**64).map(lambda n: sources[-1].replace(b"vertex 3", b"vertex %d" % n))
+    faces = st.integers(0, 2**64).map(lambda n: sources[0].replace(b"face 2", b"face %d" % n))
+    reader = MeshReader()
+
+    def attempt(content: bytes) -> bool:
+        path.write_bytes(content)
+        return said_by(lambda: read_mesh(path, "m", 0.4, reader=reader)) is None
+
+    return [*(damaged(source) for source in sources), count, faces, anything], attempt
+
+
 SUBJECTS: dict[str, Subject] = {
+    "meshes": meshes,
+    "scenes": toml("resources/scenes/*.toml", read_scene),
+    "plans": toml("tests/data/*plan*.toml", read_plan),
+    "sites": toml("resources/sites/*.toml", read_site),
+    "scanners": toml("resources/scanners/*.toml", read_scanner),
+    "scanner figures": toml("resources/scanners/*.toml", read_scanner_figures),
+    "POS figures": toml("resources/pos/*.toml", read_pos_figures),
+    "vessels": toml("resources/vessels/*.toml", read_vessel),
+    "report template": report_template,
     **{key: of_format(key) for key in FORMATS},
     "columns of text": columns_of("text"),
     "columns of ascii-trajectory": columns_of("ascii-trajectory"),
@@ -334,6 +477,7 @@ SUBJECTS: dict[str, Subject] = {
     "static scan": static_scans,
     "store manifest": manifest,
     "store columns": columns,
+    "resealed store columns": resealed_columns,
     "store spool": spool,
 }
 

@@ -20,7 +20,7 @@ def command(
 def plain_numbers(words: Sequence[str]) -> list[str]:
     """Write ``-1e-3`` as ``-0.001``: argparse takes the first for an named_value."""
     return [
-        f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d+", word) else word
+        f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d{1,3}", word) else word
         for word in words
     ]
 

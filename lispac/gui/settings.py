@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
+from lispac.foreign_values import json_values
 from lispac.gui.colouring import SCALES, Scale
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
@@ -84,7 +85,7 @@ class AppSettings:
     def column_mappings(self) -> dict[str, str]:
         """Columns chosen for text files, by their layout."""
         try:
-            stored = json.loads(str(self._store.value("columns", "{}")))
+            stored = json_values(str(self._store.value("columns", "{}")))
         except ValueError:
             return {}
         return {str(k): str(v) for k, v in stored.items()} if isinstance(stored, dict) else {}

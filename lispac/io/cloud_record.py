@@ -15,6 +15,7 @@ import numpy as np
 from laspy.errors import LaspyException
 
 from lispac import __version__
+from lispac.foreign_values import json_values
 from lispac.geometry.frames import LocalFrame
 from lispac.io.las_crs_written import LOCAL_FRAME, OWN_ID
 from lispac.survey.georeferencing import Mounting
@@ -70,7 +71,7 @@ class CloudRecord:
         for each in header.vlrs:
             if each.user_id == OWN_ID and each.record_id == RECORD:
                 try:
-                    return cls(*_parts(json.loads(bytes(each.record_data).decode())))
+                    return cls(*_parts(json_values(bytes(each.record_data))))
                 except (ValueError, TypeError, KeyError):
                     return None
         return None

@@ -8,6 +8,7 @@ import re
 import sys
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import nullcontext
 from itertools import pairwise
 from multiprocessing import get_context
 from pathlib import Path
@@ -29,7 +30,9 @@ MEMORY_PER_BYTE = 60
 ASCII STL with its corners takes about one for each byte, one of binary PLY ten."""
 
 
-def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
+def read_mesh(
+    path: Path, name: str, reflectance: float, *, reader: "MeshReader | None" = None
+) -> Mesh:
     """Read a mesh in local coordinates: north, west, up in metres.
 
     Faces of more corners are split into triangles, those of OBJ from their first corner; triangles
@@ -42,7 +45,11 @@ def read_mesh(path: Path, name: str, reflectance: float) -> Mesh:
     """
     path = require_file(Path(path), "mesh")
     ending = _ending(path)
-    vertices, triangles = _of_obj(path) if ending == ".obj" else _of_open3d(path, ending)
+    if ending == ".obj":
+        vertices, triangles = _of_obj(path)
+    else:
+        with nullcontext(reader) if reader is not None else MeshReader() as used:
+            vertices, triangles = used.read(path, ending)
     if not len(triangles):
         raise InputError(f"{path}: no triangles are in it; export the mesh, not its points.")
     if triangles.min() < 0 or triangles.max() >= len(vertices):
@@ -80,29 +87,48 @@ def _ending(path: Path) -> str:
     return path.suffix.lower()
 
 
-def _of_open3d(path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
-    """Vertices and triangles, read by Open3D in a process of its own: a damaged file may end it.
+class MeshReader:
+    """Open3D's reader of meshes in a process of its own, since a damaged file may end it.
 
-    Raises
-    ------
-    InputError
-        Where that process ends, or runs out of memory.
+    A context that keeps the process for several files; a new one is made where it was ended.
     """
-    with (
-        plain_name(path, ending) as name,
-        ProcessPoolExecutor(1, get_context("spawn")) as pool,
-    ):
-        try:
-            return pool.submit(_read_alone, str(name)).result()
-        except (BrokenProcessPool, MemoryError, RuntimeError) as error:
-            raise InputError(
-                f"{path}: this mesh file is damaged and cannot be read; export the mesh again."
-            ) from error
+
+    def __init__(self) -> None:
+        self._pool: ProcessPoolExecutor | None = None
+
+    def __enter__(self) -> "MeshReader":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._pool is not None:
+            self._pool.shutdown()
+        self._pool = None
+
+    def read(self, path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
+        """Vertices (n, 3) and triangles (m, 3) of a file.
+
+        Raises
+        ------
+        InputError
+            Where the process ends, or runs out of memory.
+        """
+        if self._pool is None:
+            self._pool = ProcessPoolExecutor(1, get_context("spawn"))
+        with plain_name(path, ending) as name:
+            try:
+                return self._pool.submit(_read_alone, str(name)).result()
+            except (BrokenProcessPool, MemoryError, RuntimeError) as error:
+                self.__exit__()
+                raise InputError(
+                    f"{path}: this mesh file is damaged and cannot be read; export the mesh again."
+                ) from error
 
 
 def _read_alone(name: str) -> tuple[Array, NDArray[np.int64]]:
     """Vertices and triangles; runs in a process of its own."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)  # an abort prints its own words
+    null = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(null, 2)  # an abort prints its own words
+    os.close(null)
     import open3d
 
     _limit_memory(MEMORY + MEMORY_PER_BYTE * os.path.getsize(name))
@@ -119,7 +145,8 @@ def _limit_memory(more: int) -> None:
 
         pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
         most = pages * resource.getpagesize() + more
-        resource.setrlimit(resource.RLIMIT_AS, (most, most))
+        hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+        resource.setrlimit(resource.RLIMIT_AS, (most, hard))
 
 
 def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:

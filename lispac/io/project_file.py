@@ -27,13 +27,14 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.errors import InputError, ProjectChanged, ProjectError
+from lispac.foreign_values import Unfit, json_values
 from lispac.identity import Identity
 from lispac.io.consistency import require_consistent
 from lispac.io.files import not_written, remove_abandoned, remove_empty, written_whole
 from lispac.io.project_lock import FILE_NAME as FILE_NAME
 from lispac.io.project_lock import digest_of, project_lock
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
-from lispac.io.values import Unfit, decoded, encoded, in_one_line
+from lispac.io.values import decoded, encoded, in_one_line
 from lispac.messages import Message
 from lispac.opinions import Opinion
 from lispac.project import (
@@ -240,7 +241,7 @@ def _read(path: Path) -> Project:
 
 def _decoded(path: Path, text: bytes) -> Project:
     try:
-        content = json.loads(text.decode("utf-8"))
+        content = json_values(text)
         version = content["schema_version"]
         if version > SCHEMA_VERSION:
             raise ProjectError(
@@ -251,7 +252,7 @@ def _decoded(path: Path, text: bytes) -> Project:
     except InputError as error:
         raise ProjectError(f"{path}: {error}") from error
     except (
-        ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, RecursionError,
+        ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError,
     ) as error:  # fmt: skip
         raise ProjectError(
             f"{path}: the project file is damaged ({_plainly(error)}); restore it from a copy."
@@ -261,10 +262,6 @@ def _decoded(path: Path, text: bytes) -> Project:
 
 def _plainly(error: Exception) -> str:
     """What is wrong with the file, without the words of those who read it."""
-    if isinstance(error, json.JSONDecodeError):
-        return f"it cannot be read from line {error.lineno} on"
-    if isinstance(error, UnicodeDecodeError):
-        return "it is not text"
     if isinstance(error, KeyError):
         return f"{error.args[0]} is missing in it"
     return str(error) if isinstance(error, Unfit) else "something in it is of the wrong kind"
@@ -480,9 +477,9 @@ def _digest(arrays: Iterable[NDArray[Any]]) -> str:
 def _used_unsaved(folder: Path) -> set[str]:
     """The files that what is not saved yet has its points in."""
     try:
-        content = json.loads((folder / UNSAVED_NAME).read_text(encoding="utf-8"))
+        content = json_values((folder / UNSAVED_NAME).read_bytes())
         return {target["indices"] for target in content["targets"]}
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+    except (OSError, ValueError, KeyError, TypeError):
         return set()  # there is none, or it cannot be opened either
 
 

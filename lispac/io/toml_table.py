@@ -1,7 +1,6 @@
 """Tables of a TOML file, read key by key; what is wrong is said with file, key and remedy."""
 
 import math
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from difflib import get_close_matches
@@ -9,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import InputError
+from lispac.foreign_values import Unfit, toml_values
 from lispac.io.files import require_file
 
 NOTHING: Any = object()
@@ -35,8 +35,8 @@ class Table:
         """
         path = require_file(Path(path), what)
         try:
-            values = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            values = toml_values(path.read_bytes())
+        except Unfit as error:
             raise InputError(f"{path}: this is not sound TOML ({error}); correct it.") from error
         table = cls(path, values)
         yield table

@@ -7,13 +7,10 @@ from typing import Any, TypeVar
 import numpy as np
 
 from lispac.errors import LispacError
+from lispac.foreign_values import Unfit as Unfit
 from lispac.messages import Value as MessageValue
 
 Value = TypeVar("Value")
-
-
-class Unfit(ValueError):
-    """What was read does not fit, in words for those who know the project and not the code."""
 
 
 @cache

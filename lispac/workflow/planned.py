@@ -1,6 +1,5 @@
 """A plan sailed in the simulator: what it promises can be tried before anybody sails it."""
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from lispac.design.plan import Plan
+from lispac.foreign_values import Unfit, toml_values
 from lispac.io.plan_file import read_plan
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.project import Triple
@@ -36,8 +36,8 @@ SHORTEST_TURN = 15.0
 def is_plan(path: Path) -> bool:
     """Whether a file is a plan and no scene; what cannot be read is neither."""
     try:
-        keys = tomllib.loads(Path(path).read_text(encoding="utf-8-sig")).keys()
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+        keys = toml_values(Path(path).read_bytes()).keys()
+    except (OSError, Unfit):
         return False
     return bool({"boards", "balls"} & keys)
 

@@ -1,11 +1,11 @@
 """The options of a report, of which a template holds what a company always wants."""
 
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from lispac.errors import InputError
+from lispac.foreign_values import Unfit, toml_values
 from lispac.io.files import require_file
 from lispac.language.catalogue import catalogue_of
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
@@ -39,8 +39,8 @@ def report_options(
 def _of_template(path: Path) -> ReportOptions:
     require_file(path, "report template")
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        content = toml_values(path.read_bytes())
+    except (OSError, Unfit) as error:
         raise InputError(
             f"{path}: this report template is no TOML file ({error}); it holds lines such as "
             'company = "Levés du Fleuve".'

@@ -21,6 +21,7 @@ from zlib import crc32
 import numpy as np
 
 from lispac.errors import ProjectError
+from lispac.foreign_values import json_values
 
 VERSION = 2
 OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
@@ -203,7 +204,7 @@ def read_manifest(folder: Path) -> Manifest | None:
     """  # noqa: DOC501 - its own ValueError is caught
     path = folder / MANIFEST
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json_values(path.read_bytes())
         if content["version"] > VERSION:
             raise ProjectError(f"{path}: made by a newer version of the program; update it.")
         store = content["store"]
@@ -224,7 +225,7 @@ def read_manifest(folder: Path) -> Manifest | None:
         return manifest
     except FileNotFoundError:
         return None
-    except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
+    except (OSError, ValueError, KeyError, TypeError, OverflowError) as error:
         raise DamagedStore(
             f"{path}: the imported line is damaged ({error}); import the line again."
         ) from error
@@ -301,10 +302,9 @@ def unsealed(text: str) -> Any:
     ValueError
     KeyError
     TypeError
-    RecursionError
         Where it is damaged.
     """
-    whole = json.loads(text)
+    whole = json_values(text)
     if whole["checksum"] != _checksum(whole["content"]):
         raise ValueError("its checksum does not hold")
     return whole["content"]

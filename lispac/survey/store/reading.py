@@ -32,6 +32,10 @@ CROWDED = 4
 """Times as many points in the cells about a sphere as are wanted: too many are in it, too, then."""
 AT_ONCE = 1 << 20
 """Points placed at once; of those outside the sphere no more than this are ever in memory."""
+FARTHEST = 1e8
+"""Metres: no place in a local frame is farther from its origin."""
+FINEST = 1e-6
+"""Metres: rounding of a reach near zero."""
 ROUNDING = 2.0**-23
 """Of the distance from the scanner: a point has moved by less since it was put into its cell."""
 
@@ -120,21 +124,60 @@ class StoredLine:
             intensity = self._own("coarse_intensity")
         elif self.intensity is not None:  # the same for all points
             intensity = self.intensity[: len(self._own("coarse_row"))]
-        return Coarse(
-            self._own("coarse_row"),
-            self._own("coarse_local"),
-            self._own("coarse_xyz"),
-            self._own("coarse_time"),
-            intensity,
-        )
+        rows, xyz, time = (self._own(f"coarse_{name}") for name in ("row", "xyz", "time"))
+        self._require_points(xyz, time)
+        self._require_below(rows, len(self))
+        local = self._own("coarse_local")
+        # Where the trajectory is, only the placing of the points knows.
+        if not np.isfinite(local).all() or (np.abs(local) > FARTHEST).any():
+            raise self._damaged("places of points")
+        return Coarse(rows, local, xyz, time, intensity)
 
     def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
         """Places (n,) in the line as read, in the order of the file, of points in ``rows`` (n,)."""
-        return self._own("number")[rows].astype(np.int64)
+        return self._indexed("number", rows)
 
     def rows(self, numbers: NDArray[Any]) -> NDArray[np.int64]:
         """The inverse of `numbers`."""
-        return self._own("row")[numbers].astype(np.int64)
+        return self._indexed("row", numbers)
+
+    def _indexed(self, name: str, at: NDArray[Any]) -> NDArray[np.int64]:
+        """Rows or numbers, at others.
+
+        Raises
+        ------
+        ProjectError
+            Where one is not of this line.
+        """
+        column = self._own(name)
+        self._require_below(at, len(column))
+        found = column[at].astype(np.int64)
+        self._require_below(found, len(self))
+        return np.asarray(found)
+
+    def _require_below(self, rows: NDArray[Any], count: int) -> None:
+        if len(rows) and not (rows.min() >= 0 and rows.max() < count):
+            raise self._damaged("a number of a point")
+
+    def _require_points(self, points_lidar: NDArray[Any], time: NDArray[Any]) -> None:
+        """Refuse points farther than the manifest says, and times outside of its own.
+
+        Raises
+        ------
+        ProjectError
+        """
+        if not len(time):
+            return
+        most = self.manifest.reach * (1 + ROUNDING) + FINEST
+        early, late = self.manifest.first_time, self.manifest.last_time
+        if not (np.abs(points_lidar).max() <= most and early <= time.min() <= time.max() <= late):
+            raise self._damaged("a point or its time")
+
+    def _damaged(self, what: str) -> ProjectError:
+        return ProjectError(
+            f"{self.name}: {what} in the imported line lies outside of what was imported, so its "
+            "files were changed since; import the line again."
+        )
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
         """Places of ``rows``, both (n,), in the original file, which also holds points left out."""
@@ -156,7 +199,9 @@ class StoredLine:
     def take(self, numbers: NDArray[Any]) -> tuple[Array, Array]:
         """Points, shape (n, 3), metres, LiDAR frame, and times, shape (n,), by their `numbers`."""
         rows = self.rows(numbers)
-        return self.points_lidar[rows].astype(np.float64), np.asarray(self.time[rows])
+        points, time = self.points_lidar[rows], np.asarray(self.time[rows])
+        self._require_points(points, time)
+        return points.astype(np.float64), time
 
     def intensities(self, numbers: NDArray[Any]) -> Array | None:
         """Intensities, shape (n,), by their `numbers`, if there are any."""
@@ -259,9 +304,9 @@ class StoredLine:
         middle = np.asarray(centre, dtype=np.float64)
         found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
         for some in in_pieces(self.near(centre, radius, margin=margin, halvings=halvings), AT_ONCE):
-            placed = place(
-                gathered(self.points_lidar, some).astype(np.float64), gathered(self.time, some)
-            )
+            points, time = (gathered(values, some) for values in (self.points_lidar, self.time))
+            self._require_points(points, time)
+            placed = place(points.astype(np.float64), time)
             found.append(kept_within(placed, some, middle, float(radius)))
         rows = np.concatenate([rows for rows, _ in found])
         return rows, np.concatenate([points for _, points in found])
@@ -312,11 +357,18 @@ class StoredLine:
 
     @cached_property
     def _octaves(self) -> Keys:
-        return np.array(self._own("octaves"))
+        octaves = np.array(self._own("octaves"))
+        if (octaves[1:] <= octaves[:-1]).any():
+            raise self._damaged("the order of cells")
+        return octaves
 
     @cached_property
     def _starts(self) -> Keys:
-        return np.array(self._own("starts"))
+        starts = np.array(self._own("starts"))
+        sound = len(starts) == len(self._octaves) + 1 and starts[0] == 0
+        if not sound or starts[-1] != len(self) or (starts[1:] <= starts[:-1]).any():
+            raise self._damaged("the order of cells")
+        return starts
 
 
 def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> StoredLine:
