@@ -4,9 +4,19 @@ A message is one plain sentence for a surveyor: what is wrong, where, and what t
 The command line prints it and exits with 1; the window shows it in a dialogue.
 """
 
+CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
+"""Characters of Unicode's category Cc, with what replaces them."""
+
 
 class LispacError(Exception):
-    """Something the user can act on."""
+    """Something the user can act on.
+
+    Control characters in its message, which come from names of files and the like, are replaced by
+    spaces: it stays one line, and commands to a terminal remain text.
+    """
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(message.translate(CONTROL))
 
 
 class InputError(LispacError):

@@ -11,8 +11,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.errors import HypothesisWarning
 
-SECONDS, INPUTS = 60, 100_000
-"""The long form ends with whichever comes first."""
+SECONDS, INPUTS, FEWEST = 60, 100_000, 2_500
+"""The long form ends with whichever comes first, after the fewest inputs."""
 
 Attempt = Callable[[bytes], bool]
 """Puts content before a reader; whether it was read. All but the program's own errors come out."""
@@ -134,7 +134,7 @@ def fuzz_long(name: str, made: Sequence[st.SearchStrategy[bytes]], attempt: Atte
     """As `fuzz`, for a minute or 100,000 inputs, from each source in turn; prints how many."""
     inputs = read = turn = 0
     end = monotonic() + SECONDS
-    while inputs < INPUTS and monotonic() < end:
+    while inputs < FEWEST or (inputs < INPUTS and monotonic() < end):
         counts = fuzz(made[turn % len(made)], attempt, 250)
         inputs, read, turn = inputs + counts[0], read + counts[1], turn + 1
     print(f"{name}: {inputs:,} inputs, {read:,} of them read, {inputs - read:,} refused")

@@ -74,7 +74,7 @@ def write_table(
         if any(character in text for character in ',"\n\r'):
             raise InputError(f"{path.name}: {text} cannot stand in CSV; rename it.")
     row = ",".join("{:" + form + "}" for form in formats) + "\n"
-    with path.open("w", encoding="utf-8", newline="") as file:
+    with path.open("w", encoding="utf-8", errors="replace", newline="") as file:
         file.write(",".join(names) + "\n")
         file.writelines(row.format(*values) for values in zip(*columns, strict=True))
 
@@ -117,7 +117,7 @@ def write_trajectory_text(path: Path, trajectory: Trajectory, time_base: str = "
             attitude,
         ]
     )
-    with path.open("w", encoding="utf-8", newline="\n") as file:
+    with path.open("w", encoding="utf-8", errors="replace", newline="\n") as file:
         first, *others = TRAJECTORY_HEADER
         base = f"{TIME_BASE}{time_base}" if time_base else ""
         file.write("\n".join([first + base, *others]) + "\n")

@@ -13,6 +13,8 @@ from lispac.io.files import require_file
 
 NOTHING: Any = object()
 """No default: the key has to be there."""
+LONGEST_SHOWN = 60
+"""Characters of a value in a message."""
 
 
 class Table:
@@ -54,21 +56,21 @@ class Table:
         """A string that is not empty."""
         value = self._value(key, default)
         if value is not default and not (isinstance(value, str) and value.strip()):
-            raise self.refuse(key, f"is {value!r}, not a text; put words between quotes")
+            raise self.refuse(key, f"is {_shown(value)}, not a text; put words between quotes")
         return value
 
     def choice(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
         """One of some words."""
         value = self._value(key, default)
         if value is not default and value not in words:
-            raise self.refuse(key, f"is {value!r}; give one of {', '.join(words)}")
+            raise self.refuse(key, f"is {_shown(value)}; give one of {', '.join(words)}")
         return value
 
     def flag(self, key: str, default: Any = NOTHING) -> bool:
         """True or false."""
         value = self._value(key, default)
         if not isinstance(value, bool):
-            raise self.refuse(key, f"is {value!r}; give true or false")
+            raise self.refuse(key, f"is {_shown(value)}; give true or false")
         return value
 
     def number(
@@ -91,7 +93,7 @@ class Table:
             return value
         if not isinstance(value, list) or (count is not None and len(value) != count):
             many = "numbers" if count is None else f"{count} numbers"
-            raise self.refuse(key, f"is {value!r}; give {many} in brackets")
+            raise self.refuse(key, f"is {_shown(value)}; give {many} in brackets")
         return tuple(self._sound(key, each, least, most, -math.inf) for each in value)
 
     def three(
@@ -106,7 +108,7 @@ class Table:
         """A table inside this one; an empty one where it is not there."""
         value = self._value(key, {})
         if not isinstance(value, dict):
-            raise self.refuse(key, f"is {value!r}, not a table; write [{key}] above its keys")
+            raise self.refuse(key, f"is {_shown(value)}, not a table; write [{key}] above its keys")
         inner = Table(self.path, value, f"{self._place}{key}.")
         yield inner
         inner.done()
@@ -143,7 +145,8 @@ class Table:
                 raise self.refuse(key, f"is not known here; {wanted.rstrip('?')}")
 
     def _named(self, key: str) -> str:
-        return f"{self._place}{key}"
+        named = f"{self._place}{key}"
+        return named if len(named) <= LONGEST_SHOWN else f"{named[:LONGEST_SHOWN]}…"
 
     def _value(self, key: str, default: Any) -> Any:
         self._known.add(key)
@@ -159,15 +162,21 @@ class Table:
 
     def _sound(self, key: str, value: Any, least: float, most: float, over: float) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.refuse(key, f"holds {value!r}, which is not a number; correct it")
+            raise self.refuse(key, f"holds {_shown(value)}, which is not a number; correct it")
         if not math.isfinite(value):
-            raise self.refuse(key, f"holds {value}, which is not finite; correct it")
+            raise self.refuse(key, f"holds {_shown(value)}, which is not finite; correct it")
         if value < least or value <= over:
             wanted = f"at least {least:g}" if value < least else f"more than {over:g}"
             raise self.refuse(key, f"holds {value:g}; give {wanted}")
         if value > most:
             raise self.refuse(key, f"holds {value:g}; give at most {most:g}")
         return float(value)
+
+
+def _shown(value: Any) -> str:
+    """A value for a message, cut where it is long."""
+    text = repr(value)
+    return text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}…"
 
 
 def quoted(text: str) -> str:

@@ -40,7 +40,9 @@ def write_html(
     ----------
     pictures : file of a PNG or SVG picture by its caption
     """
-    path.write_text(html_text(content, pictures, options), encoding="utf-8", newline="\n")
+    path.write_text(
+        html_text(content, pictures, options), encoding="utf-8", errors="replace", newline="\n"
+    )
 
 
 def _data_uri(picture: Picture) -> str:

@@ -25,4 +25,4 @@ def schema_text() -> str:
 
 def write_json(content: ReportContent, path: Path) -> None:
     """Write the content as one JSON file."""
-    path.write_text(json_text(content), encoding="utf-8", newline="\n")
+    path.write_text(json_text(content), encoding="utf-8", errors="replace", newline="\n")

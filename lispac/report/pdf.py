@@ -155,7 +155,7 @@ def _lay_out(document: Document, folder: Path) -> str:
         logo["file"] = f"logo{logo['suffix']}"
         (folder / logo["file"]).write_bytes(logo.pop("data"))
     text = json.dumps(values, ensure_ascii=False)
-    (folder / "document.json").write_text(text, encoding="utf-8")
+    (folder / "document.json").write_text(text, encoding="utf-8", errors="replace")
     return text
 
 

@@ -234,4 +234,4 @@ def write_table(rows: Sequence[Row], path: Path) -> None:
         )  # fmt: skip
         writer.writerow(["" if cell is None else cell for cell in cells])
     with written_whole(path) as temporary:
-        temporary.write_text(stream.getvalue(), encoding="utf-8", newline="")
+        temporary.write_text(stream.getvalue(), encoding="utf-8", errors="replace", newline="")

@@ -100,7 +100,7 @@ def save_script(script: Script, path: Path) -> None:
         Where the file cannot be written.
     """
     with written_whole(path) as temporary:
-        temporary.write_text(script.text, encoding="utf-8", newline="\n")
+        temporary.write_text(script.text, encoding="utf-8", errors="replace", newline="\n")
 
 
 def _head(project: Project, files: Files, remarks: list[str]) -> str:

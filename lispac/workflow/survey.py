@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.causes import Cause
-from lispac.errors import InputError
+from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, is_las
 from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
@@ -281,6 +281,11 @@ def _require_picked_on(project: Project, line: LineSource, scan: Line) -> None:
             raise InputError(
                 f"{line.path}: these are not the points {target.name} was picked on (or the "
                 "trajectory covers others of them now); bring the file back, or make a new project."
+            )
+        if sighting is not None and len(sighting.indices) and sighting.indices.max() >= len(scan):
+            raise ProjectError(
+                f"{project.folder}: {target.name} has points that {line.name} does not have, so "
+                "the project is damaged; restore its folder from a copy."
             )
 
 

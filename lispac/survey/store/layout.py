@@ -28,6 +28,8 @@ OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
     f"coarse_{name}" for name in ("row", "local", "xyz", "time")
 }
 """Columns that every store has."""
+LONGEST_TYPE = 16
+"""Characters of NumPy's name of the type of a number."""
 MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
 
 
@@ -240,12 +242,17 @@ def _require_plain(manifest: Manifest) -> None:
     """
     names = (manifest.folder, *(column.file for column in manifest.files))
     counts = [manifest.points, manifest.left_out]
-    numbers = [manifest.side, manifest.reach, *manifest.low, *manifest.high]
+    numbers = [
+        manifest.side, manifest.reach, *manifest.low, *manifest.high, manifest.first_time,
+        manifest.last_time,
+    ]  # fmt: skip
     words = [manifest.line, manifest.fingerprint, *manifest.assumptions]
     for column in (*manifest.columns, *manifest.attributes):
         words += [column.name, column.file]
         counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
-        if np.dtype(column.dtype).kind not in "biuf" or not isinstance(column.dtype, str):
+        if not isinstance(column.dtype, str) or len(column.dtype) > LONGEST_TYPE:
+            raise ValueError("a column of another type")
+        if np.dtype(column.dtype).kind not in "biuf":
             raise ValueError(f"a column of {column.dtype}")
         if not column.file:
             np.broadcast_to(np.array(column.value, column.dtype), column.shape)
