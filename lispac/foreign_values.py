@@ -103,3 +103,22 @@ def require_usable_text(text: str) -> None:
         text.encode("utf-8", "surrogateescape")
     except UnicodeEncodeError as error:
         raise Unfit("a text in it has a character that is cut in half") from error
+
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""What a cell of a table begins with that spreadsheets take for a formula."""
+
+
+def as_cell(value: object) -> str:
+    """A value as a cell of CSV, with an apostrophe before what would be a formula.
+
+    Source: OWASP, CSV injection. Numbers stay as they are.
+    """
+    text = "" if value is None else str(value)
+    if not text.startswith(FORMULA):
+        return text
+    try:
+        float(text.replace(",", ""))
+    except ValueError:
+        return f"'{text}"
+    return text

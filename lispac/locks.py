@@ -87,16 +87,25 @@ def _nothing() -> None:
     pass
 
 
-def is_locked(path: Path) -> bool:
-    """Whether somebody holds a lock file."""
+def try_lock(handle: int) -> bool:
+    """Lock an open file; whether it was possible. Closing it unlocks it."""
     try:
-        handle = os.open(path, os.O_RDWR)
+        _lock(handle)
+    except OSError:
+        return False
+    return True
+
+
+def is_locked(path: Path) -> bool | None:
+    """Whether somebody holds a lock file; None where its file system has no locks."""
+    try:
+        handle = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0))
     except OSError:
         return False
     try:
         _lock(handle)
     except OSError as error:
-        return error.errno not in UNSUPPORTED
+        return None if error.errno in UNSUPPORTED else True
     finally:
         os.close(handle)
     return False

@@ -13,6 +13,11 @@ import numpy as np
 from lispac.messages import Action, Message
 
 TEXTS: Mapping[str, str] = {
+    # -- cluster -----------------------------------------------------------------------------
+    "cluster.plain_tcp": (
+        "The connection to {address} is neither encrypted nor authenticated. Others in the network "
+        "can run programs on this computer and on the workers. Use TLS certificates and tls://."
+    ),
     # -- points of a line --------------------------------------------------------------------
     "audit.time_resolution": (
         "{line}: point times are in steps of {step:ms} ms, with {points:n} points to each step. "

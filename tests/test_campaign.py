@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -29,7 +30,7 @@ from lispac.simulation.closed_form import Ball
 from lispac.simulation.scanner import Scanner
 from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
-from lispac.workflow.cluster import cluster_of
+from lispac.workflow.cluster import ClusterAccess, cluster_of
 from lispac.workflow.designing import headline
 from tests.clusters import Clusters
 from tests.prediction_study import PLAN
@@ -207,7 +208,7 @@ def test_addresses_that_lead_nowhere_are_refused(
 ) -> None:
     monkeypatch.setattr(cluster_module, "CONNECT", 1.0)
     words = ("campaign", PORT, "--cluster")
-    assert "it is written tcp://HOST:PORT" in refused(capsys, *words, "office-7")
+    assert "it is written tls://HOST:PORT" in refused(capsys, *words, "office-7")
     with socket.socket() as closed:
         closed.bind(("127.0.0.1", 0))
         nobody = f"tcp://127.0.0.1:{closed.getsockname()[1]}"
@@ -384,3 +385,91 @@ def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> 
     for enough in (6, None):
         with pytest.raises(Cancelled):
             surveyed(SMALL, 14, enough=enough, progress=cancelled_after(5))
+
+
+@pytest.fixture(scope="module")
+def certificates(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path, Path]:
+    """An authority, a certificate that it has signed for this computer, and its key."""
+    openssl = shutil.which("openssl")
+    if openssl is None:
+        pytest.skip("openssl is not installed")
+    folder = tmp_path_factory.mktemp("certificates")
+
+    def make(*words: str) -> None:
+        subprocess.run([openssl, *words], cwd=folder, check=True, capture_output=True)
+
+    new = ("-newkey", "rsa:2048", "-nodes")
+    make("req", "-x509", *new, "-keyout", "ca.key", "-out", "ca.pem", "-subj", "/CN=CA", "-addext",
+         "keyUsage=critical,keyCertSign")  # fmt: skip
+    make("req", *new, "-keyout", "own.key", "-out", "own.csr", "-subj", "/CN=localhost")
+    (folder / "names").write_text("subjectAltName=DNS:localhost,IP:127.0.0.1\n")
+    make("x509", "-req", "-in", "own.csr", "-CA", "ca.pem", "-CAkey", "ca.key", "-CAcreateserial",
+         "-out", "own.pem", "-extfile", "names")  # fmt: skip
+    return folder / "ca.pem", folder / "own.pem", folder / "own.key"
+
+
+def test_a_cluster_is_reached_by_tls(
+    certificates: tuple[Path, Path, Path], tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    authority, certificate, key = map(str, certificates)
+    security = distributed.Security(
+        require_encryption=True, tls_ca_file=authority, tls_scheduler_cert=certificate,
+        tls_scheduler_key=key, tls_worker_cert=certificate, tls_worker_key=key,
+        tls_client_cert=certificate, tls_client_key=key,
+    )  # fmt: skip
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0",
+        silence_logs=50, protocol="tls", security=security,
+    ) as secure:  # fmt: skip
+        address = secure.scheduler_address
+        assert address.startswith("tls://")
+        with cluster_of(ClusterAccess(address, certificates)) as mapper:
+            assert list(mapper(abs, [-1, -2])) == [1, 2]
+        with pytest.raises(LispacError, match="certificates"), cluster_of(ClusterAccess(address)):
+            pass
+        other = tmp_path_factory.mktemp("other")
+        (other / "ca.pem").write_text("no certificate")
+        wrong = ClusterAccess(address, (other / "ca.pem", *certificates[1:]))
+        with pytest.raises(LispacError, match="cannot be used"), cluster_of(wrong):
+            pass
+
+
+def test_a_scheduler_without_the_certificate_is_not_spoken_to(
+    certificates: tuple[Path, Path, Path], cluster: distributed.LocalCluster
+) -> None:
+    """One who answers on the address in the place of the scheduler."""
+    address = cluster.scheduler_address.replace("tcp://", "tls://")
+    with (
+        pytest.raises(LispacError, match="no scheduler answers"),
+        cluster_of(ClusterAccess(address, certificates)),
+    ):
+        pass
+
+
+@pytest.mark.parametrize(
+    ("address", "url"),
+    [
+        ("127.0.0.1:8786", "tcp://127.0.0.1:8786"), ("localhost:1", "tcp://localhost:1"),
+        ("[::1]:8786", "tcp://[::1]:8786"), ("office-7:8786", "tls://office-7:8786"),
+        ("tls://192.168.1.20:8786", "tls://192.168.1.20:8786"),
+        ("tcp://127.1.2.3:8786", "tcp://127.1.2.3:8786"),
+    ],
+)  # fmt: skip
+def test_tls_is_the_protocol_to_other_computers(address: str, url: str) -> None:
+    access = ClusterAccess(address)
+    assert access.url == url
+    assert not access.is_open
+
+
+@pytest.mark.parametrize(
+    "address", ["tcp://192.168.1.20:8786", "tcp://office-7:8786", "tcp://localhost.evil.org:1"]
+)
+def test_plain_tcp_to_other_computers_has_to_be_accepted(
+    address: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cluster_module, "CONNECT", 0.2)
+    assert "--plain-tcp" in refused(capsys, "campaign", PORT, "--cluster", address)
+    assert ClusterAccess(address, plain_tcp=True).is_open
+    code, _, err = run(capsys, "campaign", PORT, "--plain-tcp")
+    assert code == 2
+    assert "--cluster" in err

@@ -5,6 +5,7 @@ from argparse import Namespace
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
+from lispac.cli.cluster_access import cluster_access
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.design.monte_carlo import Scatter
 from lispac.io.plan_file import read_plan
@@ -17,7 +18,7 @@ def campaign(arguments: Namespace) -> None:
     titled = read_plan(arguments.plan)
     with (
         ConsoleProgress() as progress,
-        mapper_of(arguments.workers, arguments.cluster) as mapper,
+        mapper_of(arguments.workers, cluster_access(arguments)) as mapper,
     ):
         found = many_surveys(
             titled.plan, arguments.surveys, seed=arguments.seed,

@@ -5,6 +5,7 @@ from argparse import Namespace
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
+from lispac.cli.cluster_access import cluster_access
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.worths import known, without
 from lispac.design.choices import thesis_plan
@@ -26,7 +27,7 @@ def design(arguments: Namespace) -> None:
     objective = Objective(arguments.criterion, tuple(arguments.pos_factors))
     with (
         ConsoleProgress() as progress,
-        mapper_of(arguments.workers, arguments.cluster) as mapper,
+        mapper_of(arguments.workers, cluster_access(arguments)) as mapper,
     ):
         found = search(
             site, objective, plans=arguments.plans, seed=arguments.seed, mapper=mapper,

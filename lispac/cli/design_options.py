@@ -92,5 +92,15 @@ def _where(parser: argparse.ArgumentParser) -> None:
     )
     where.add_argument(
         "--cluster", metavar="ADDRESS",
-        help="run on the workers of this dask scheduler instead, tcp://HOST:PORT",
+        help="run on the workers of this dask scheduler instead, tls://HOST:PORT",
+    )  # fmt: skip
+    parser.add_argument(
+        "--cluster-tls", nargs=3, type=Path, metavar=("CA", "CERTIFICATE", "KEY"),
+        help="PEM files of the authority, of this computer and its key (default: those of dask's "
+        "configuration)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--plain-tcp", action="store_true",
+        help="accept tcp:// to another computer: others in the network can then run programs on "
+        "this computer and on the workers",
     )  # fmt: skip

@@ -1,5 +1,6 @@
 """``lispac quality``: how well the lines of a survey fit each other, without any calibration."""
 
+import csv
 import sys
 from argparse import Namespace
 from dataclasses import asdict
@@ -8,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
 from lispac.progress import part
 from lispac.workflow.line_quality import Figures, LineQuality, line_quality
@@ -15,6 +17,12 @@ from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
 
 HEADS = ("places", "median", "RMSD", "robust", "95 %", "largest")
+
+
+LIST_HEADS = (
+    "first", "second", "north_m", "west_m", "up_m", "difference_m", "interval_95_m", "upward",
+)  # fmt: skip
+"""Columns of the list of differences."""
 
 
 def quality(arguments: Namespace) -> None:
@@ -79,11 +87,12 @@ def _draw(found: LineQuality, path: Path) -> None:
 
 def _list(found: LineQuality, path: Path) -> None:
     with written_whole(path) as temporary, temporary.open("w", encoding="utf-8") as file:
-        file.write("first,second,north_m,west_m,up_m,difference_m,interval_95_m,upward\n")
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(LIST_HEADS)
         for pair in found.pairs:
             table = np.column_stack(
                 [pair.place, pair.distance, pair.half_width, np.abs(pair.normal[:, 2])]
             )
             for row in table:
-                values = ",".join(f"{value:.4f}" for value in row)
-                file.write(f"{pair.first},{pair.second},{values}\n")
+                values = [f"{value:.4f}" for value in row]
+                writer.writerow([as_cell(pair.first), as_cell(pair.second), *values])

@@ -117,7 +117,7 @@ class StartPage(QScrollArea):
     def _project(self, folder: Path) -> QCommandLinkButton:
         made = _link("folder-outline", folder.name, _state(folder), bare=True)
         made.setObjectName("start_recent")
-        made.setToolTip(str(folder))
+        made.setToolTip(widgets.plain_tip(str(folder)))
         made.setEnabled((folder / FILE_NAME).is_file())
         made.clicked.connect(lambda: self.project_chosen.emit(folder))
         return made

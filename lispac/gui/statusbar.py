@@ -3,7 +3,7 @@
 import re
 import time
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from lispac.gui.language import say
@@ -28,6 +28,7 @@ class TaskBar(QStatusBar):
         self.addPermanentWidget(self.warnings)
         self.warnings.hide()
         self.text = QLabel()
+        self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.text.setObjectName("task_text")
         self.bar = QProgressBar()
         self.bar.setObjectName("task_progress")

@@ -1,9 +1,11 @@
 """Opening files with plain errors, and writing them so that a crash leaves no half."""
 
 import errno
+import math
 import os
 import re
 import shutil
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -15,6 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.packed import require_unpacked
+from lispac.locks import is_locked, try_lock
 from lispac.survey.time_quality import time_quality
 
 
@@ -179,16 +182,20 @@ def written_whole(path: Path) -> Iterator[Path]:
     """  # noqa: DOC501 - `not_written` makes an InputError
     path = Path(path)
     made = [folder for folder in path.parents if not folder.exists()]
+    remove_abandoned(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
             prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent
         )
-        os.close(handle)
     except OSError as error:
         remove_empty(made)
         raise not_written(path, error) from error
     temporary = Path(name)
+    # The lock shows others that somebody writes it. Windows renames no file that is open.
+    if sys.platform == "win32" or not try_lock(handle):
+        os.close(handle)
+        handle = -1
     try:
         yield temporary
         # mkstemp makes files private; give the result the permissions of any new file.
@@ -200,11 +207,14 @@ def written_whole(path: Path) -> Iterator[Path]:
         raise not_written(path, error) from error
     finally:
         temporary.unlink(missing_ok=True)
+        if handle >= 0:
+            os.close(handle)
         remove_empty(made)
 
 
-ABANDONED_AFTER = 60.0
-"""Seconds after which nobody is still writing a small file."""
+ABANDONED_AFTER, LOCKED_AFTER = 60.0, 1.0
+"""Seconds without a change after which nobody is still writing a file, and after which one who
+writes it has locked it, on systems where this is done."""
 
 
 def remove_abandoned(path: Path) -> None:
@@ -217,10 +227,16 @@ def remove_abandoned(path: Path) -> None:
             found = [entry for entry in entries if named.fullmatch(entry.name)]
         for entry in found:
             age = time.time() - entry.stat(follow_symlinks=False).st_mtime
-            if entry.is_file(follow_symlinks=False) and age > ABANDONED_AFTER:
+            if entry.is_file(follow_symlinks=False) and age > _patience(Path(entry.path)):
                 os.unlink(entry.path)
     except OSError:
         return  # a folder that may be read only, or somebody else was faster
+
+
+def _patience(path: Path) -> float:
+    """Seconds that a temporary file may stand unchanged before it counts as abandoned."""
+    locked = None if sys.platform == "win32" else is_locked(path)
+    return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
 
 
 def not_written(path: Path, error: OSError) -> InputError:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.foreign_values import as_cell
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory
@@ -73,10 +74,11 @@ def write_table(
     for text in texts:
         if any(character in text for character in ',"\n\r'):
             raise InputError(f"{path.name}: {text} cannot stand in CSV; rename it.")
+    shown = [np.array([as_cell(v) for v in c]) if c.dtype.kind == "U" else c for c in columns]
     row = ",".join("{:" + form + "}" for form in formats) + "\n"
     with path.open("w", encoding="utf-8", errors="replace", newline="") as file:
         file.write(",".join(names) + "\n")
-        file.writelines(row.format(*values) for values in zip(*columns, strict=True))
+        file.writelines(row.format(*values) for values in zip(*shown, strict=True))
 
 
 def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], tuple[str, ...]]:

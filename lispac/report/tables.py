@@ -12,6 +12,7 @@ import zipfile
 from io import StringIO
 from pathlib import Path
 
+from lispac.foreign_values import as_cell
 from lispac.report.blocks import Block, Column, Table, rows
 from lispac.report.document import document_of
 from lispac.report.options import USUAL, ReportOptions
@@ -115,10 +116,10 @@ def csv_text(table: Table) -> str:
     writer = csv.writer(stream)
     heads = [column.title.replace("\n", " ") for column in table.columns]
     if any(heads):
-        writer.writerow(heads)
+        writer.writerow(map(as_cell, heads))
     for row in table.rows:
         # What was typed stays as it was typed: a serial number is no number.
-        writer.writerow(row if table.form else [_plain(cell) for cell in row])
+        writer.writerow(as_cell(cell if table.form else _plain(cell)) for cell in row)
     return stream.getvalue()
 
 

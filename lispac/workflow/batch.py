@@ -14,6 +14,7 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import plain
 from lispac.errors import InputError, LispacError, NotComparable
+from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Triple
@@ -232,6 +233,6 @@ def write_table(rows: Sequence[Row], path: Path) -> None:
             None if row.test_passed is None else "yes" if row.test_passed else "no",
             row.rms_before, row.rms_after, " | ".join(row.remarks),
         )  # fmt: skip
-        writer.writerow(["" if cell is None else cell for cell in cells])
+        writer.writerow(map(as_cell, cells))
     with written_whole(path) as temporary:
         temporary.write_text(stream.getvalue(), encoding="utf-8", errors="replace", newline="")

@@ -10,10 +10,13 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import get_context
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lispac.design.search import Mapper
 from lispac.errors import LispacError
+
+if TYPE_CHECKING:
+    from lispac.workflow.cluster import ClusterAccess
 
 CHUNK = 16
 """Most values that a process is sent at once."""
@@ -23,15 +26,17 @@ ROUNDS = 8
 keeps the others waiting for a fraction of the whole only."""
 
 
-def mapper_of(workers: int | None, cluster: str | None) -> AbstractContextManager[Mapper]:
+def mapper_of(
+    workers: int | None, cluster: "ClusterAccess | None"
+) -> AbstractContextManager[Mapper]:
     """The mapper that a user asked for.
 
     Parameters
     ----------
     workers : int or None
         Processes on this machine; all cores where nothing is said.
-    cluster : str or None
-        Address of a dask scheduler, ``tcp://host:8786``, whose workers are to be used instead.
+    cluster : ClusterAccess or None
+        Of a dask scheduler whose workers are to be used instead.
 
     Raises
     ------

@@ -57,7 +57,7 @@ def _of_template(path: Path) -> ReportOptions:
             page=_page(content.get("page", USUAL.page)),
             convention=system(content["convention"]).key if content.get("convention") else "",
             language=_language(content.get("language", USUAL.language)),
-            logo=_logo(path.parent / content["logo"]) if content.get("logo") else None,
+            logo=_logo(path.parent, content["logo"]) if content.get("logo") else None,
             **{key: _text(key, content.get(key, "")) for key in ("company", "heading", "closing")},
         )
     except InputError as error:
@@ -75,7 +75,19 @@ def _language(text: str) -> str:
     return catalogue_of(text.strip().lower()).code
 
 
-def _logo(path: Path) -> Path:
+def _logo(folder: Path, name: str) -> Path:
+    """The logo of a template, in its folder: a template of others could name any file.
+
+    Raises
+    ------
+    InputError
+        Where it lies elsewhere, or is no picture.
+    """
+    path = folder / name
+    if not path.resolve().is_relative_to(folder.resolve()):
+        raise InputError(
+            f"the logo {name} is not in the folder of the template; copy the picture there."
+        )
     require_file(path, "logo")
     suffix = path.suffix.lower()
     start = path.read_bytes()[:4096]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
-from PySide6.QtWidgets import QApplication, QTableView, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.questions import Answer, CandidateAnswer, DropAnswer
@@ -173,6 +173,14 @@ class Driver:
         return [turn for turn in self.window.findChildren(Turn) if turn.isActive()]
 
     def leave(self) -> None:
+        """See that no label takes foreign text for HTML, and close the window."""
+        loose = [
+            label.objectName() or label.text()
+            for label in self.window.findChildren(QLabel)
+            if label.textFormat() == Qt.TextFormat.AutoText
+            and not label.objectName().startswith("qt_")
+        ]
+        assert not any(loose), loose
         """Close the window and see that nothing of it is left."""
         self.dialogs.answer = "discard"
         assert self.window.close()

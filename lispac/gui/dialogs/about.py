@@ -18,6 +18,7 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     box = QMessageBox(parent)
     box.setObjectName("about_dialog")
     box.setWindowTitle(say("About LISPAC"))
+    box.setTextFormat(Qt.TextFormat.RichText)
     box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
     box.setInformativeText(
         say(
@@ -43,7 +44,7 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     columns.setSpacing(32)
     # The first two headings have about as many rows as the others together.
     for parts in (KEYS[:2], KEYS[2:]):
-        column = widgets.label()
+        column = widgets.label(rich=True)
         column.setText("".join(map(_keys, parts)))
         columns.addWidget(column, 0, Qt.AlignmentFlag.AlignTop)
     layout.addLayout(columns)

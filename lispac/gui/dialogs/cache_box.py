@@ -99,7 +99,7 @@ class CacheBox(QWidget):
         self._show_size(place)
 
     def _sure(self, place: Path) -> bool:
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", say("Empty the cache?"),
             QMessageBox.StandardButton.Cancel, self,
         )  # fmt: skip

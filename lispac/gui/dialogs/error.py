@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 
 from lispac.errors import LispacError
 from lispac.gui.language import say
+from lispac.gui.panels import widgets
 
 
 def describe(error: BaseException) -> tuple[str, str]:
@@ -29,7 +30,7 @@ def describe(error: BaseException) -> tuple[str, str]:
 def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
     """The dialogue, not yet shown."""
     sentence, details = describe(error)
-    box = QMessageBox(QMessageBox.Icon.Warning, "LISPAC", say(sentence), parent=parent)
+    box = widgets.MessageBox(QMessageBox.Icon.Warning, "LISPAC", say(sentence), parent=parent)
     box.setObjectName("error_dialog")
     box.setStandardButtons(QMessageBox.StandardButton.Close)
     box.setDefaultButton(QMessageBox.StandardButton.Close)

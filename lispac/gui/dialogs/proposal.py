@@ -93,9 +93,9 @@ class ProposalDialog(QDialog):
             name.setToolTip(say("Untick to leave it out"))
             lines = ", ".join(sighting.line for sighting in target.sightings)
             seen = QTableWidgetItem(str(len(target.sightings)))
-            seen.setToolTip(say(f"Seen on {lines}"))
+            seen.setToolTip(widgets.plain_tip(say(f"Seen on {lines}")))
             why = QTableWidgetItem(say(proposal.reasons[target.name]))
-            why.setToolTip(say(proposal.reasons[target.name]))
+            why.setToolTip(widgets.plain_tip(say(proposal.reasons[target.name])))
             for column, item in enumerate(
                 (name, QTableWidgetItem(say(ROLES[target.role])), seen, why)
             ):

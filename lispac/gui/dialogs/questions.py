@@ -10,6 +10,7 @@ from lispac.errors import LispacError
 from lispac.gui.dialogs.error import describe, error_box
 from lispac.gui.language import say
 from lispac.gui.logbook import LOG
+from lispac.gui.panels import widgets
 from lispac.gui.status import counted
 
 Answer = Literal["save", "discard", "cancel"]
@@ -28,7 +29,7 @@ class Questions:
 
     def add_or_new(self, name: str) -> DropAnswer:
         """What to do with files dropped while a project is open."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", say(f"Add the files to {name}?"),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
@@ -53,7 +54,7 @@ class Questions:
     def save_changes(self, name: str) -> Answer:
         """What to do with a changed project that is to be closed."""
         buttons = QMessageBox.StandardButton
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question,
             "LISPAC",
             say(f"Save the changes to {name}?"),
@@ -72,7 +73,7 @@ class Questions:
 
     def candidate_waits(self, name: str) -> CandidateAnswer:
         """What to do with a plane that was found and not yet accepted, before estimating."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", say(f"{name} was found and is not accepted yet."),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
@@ -90,7 +91,7 @@ class Questions:
 
     def recover(self, name: str, when: str) -> bool:
         """Whether unsaved work that a crash left is wanted back."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             say(f"{name} has work that was not saved when the program ended."),
             parent=self.parent,
@@ -105,7 +106,7 @@ class Questions:
 
     def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
         """Where the files of a project that was moved are now; None where it stays closed."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             say(f"{name} cannot find {counted(len(missing), 'file')} it was made from."),
             QMessageBox.StandardButton.Cancel, self.parent,
@@ -127,7 +128,7 @@ class Questions:
 
     def open_elsewhere(self, name: str, where: str) -> bool:
         """Whether a project that another window has is to be opened all the same."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Warning, "LISPAC", say(f"{name} is open in another window already."),
             parent=self.parent,
         )  # fmt: skip
@@ -146,7 +147,7 @@ class Questions:
 
     def overwrite(self, name: str) -> bool:
         """Whether a project that somebody else wrote meanwhile is to be overwritten."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Warning, "LISPAC",
             say(f"{name} was written by another program since it was opened here."),
             QMessageBox.StandardButton.Cancel, self.parent,
@@ -161,7 +162,7 @@ class Questions:
     @staticmethod
     def leave(dialog: QWidget) -> bool:
         """Whether a dialogue in which files were put is to be left without them."""
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", say("Leave without these files?"), parent=dialog
         )
         box.setObjectName("leave_dialog")

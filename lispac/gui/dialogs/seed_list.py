@@ -226,6 +226,6 @@ def _set_row(
         item.setTextAlignment(Right)
         item.setFont(theme.tabular(table.font()))
     last = QTableWidgetItem(say(remark))
-    last.setToolTip(say(remark))
+    last.setToolTip(widgets.plain_tip(say(remark)))
     for column, item in enumerate((name, QTableWidgetItem(say(role)), *items, last)):
         table.setItem(row, column, item)

@@ -125,7 +125,7 @@ class SensorLibraryPage(QWidget):
             for column, text in enumerate((title, sigmas, source)):
                 item = QTableWidgetItem(text)
                 item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-                item.setToolTip(text)
+                item.setToolTip(widgets.plain_tip(text))
                 self.table.setItem(row, column, item)
         self.select(name)
         self._enable()
@@ -161,7 +161,7 @@ class SensorLibraryPage(QWidget):
         self.changed.emit()
 
     def _sure(self, title: str) -> bool:
-        box = QMessageBox(
+        box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", say(f"Remove {title} from the library?"),
             QMessageBox.StandardButton.Cancel, self,
         )  # fmt: skip

@@ -63,7 +63,7 @@ class AdjustPanel(QWidget):
         layout = widgets.column(self)
         layout.setSpacing(6)
         layout.addLayout(self._distance_row())
-        self.count = widgets.label("", "muted", wrap=True, name="point_count")
+        self.count = widgets.label("", "muted", wrap=True, name="point_count", rich=True)
         layout.addWidget(self.count)
         layout.addWidget(widgets.label("POS errors", "heading"))
         self._models = QButtonGroup(self)

@@ -36,6 +36,7 @@ class _Sentence(QLabel):
 
     def __init__(self, text: str, name: str) -> None:
         super().__init__(say(text))
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setObjectName(name)
         self.setProperty("role", "muted")
         self.setWordWrap(True)

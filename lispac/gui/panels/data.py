@@ -140,7 +140,9 @@ class DataPanel(QWidget):
                 | Qt.ItemFlag.ItemIsUserCheckable
             )
             item.setCheckState(shown.get(line.name, Qt.CheckState.Checked))
-            item.setToolTip(f"{line.path}\n{say('Tick to show the line in the view')}")
+            item.setToolTip(
+                widgets.plain_tip(f"{line.path}\n{say('Tick to show the line in the view')}")
+            )
             table.setItem(row, 0, item)
             here = survey is not None and line.name in survey.scans
             heading = f"{_degrees(survey.heading[line.name])}°" if here else "–"
@@ -254,7 +256,7 @@ def _lines_table() -> QTableWidget:
 
 def _name_file(where, path: Path | None, otherwise: str) -> None:
     where.setText(path.name if path is not None else say(otherwise))
-    where.setToolTip(str(path) if path is not None else say(otherwise))
+    where.setToolTip(widgets.plain_tip(str(path) if path is not None else say(otherwise)))
 
 
 def _moved(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:

@@ -146,7 +146,7 @@ class Observability(FigurePage):
 
     def __init__(self) -> None:
         super().__init__()
-        self.words = widgets.label("", wrap=True, name="observability_words")
+        self.words = widgets.label("", wrap=True, name="observability_words", rich=True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._row.setContentsMargins(8, 6, 4, 4)
@@ -232,7 +232,7 @@ class Checks(Page):
     def __init__(self) -> None:
         super().__init__()
         self.table = DiagnosticsTable("diagnostics_checks_table", self.title, rows.CHECKS)
-        self.spread = widgets.label("", name="cross_check_spread")
+        self.spread = widgets.label("", name="cross_check_spread", rich=True)
         self.spread.setToolTip(
             say(
                 "The formal sigma, and the spread of the answers when one line, or one "
@@ -240,7 +240,6 @@ class Checks(Page):
                 "time is left out; it needs three parts at least that each give an answer"
             )
         )
-        self.spread.setTextFormat(Qt.TextFormat.RichText)
         self.spread.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.spread.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
         layout = QHBoxLayout(self.content)

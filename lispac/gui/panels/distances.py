@@ -5,6 +5,7 @@ from io import StringIO
 
 import numpy as np
 
+from lispac.foreign_values import as_cell
 from lispac.gui import units
 from lispac.validation.bins import BEYOND, merged
 from lispac.validation.profile import Profile
@@ -95,6 +96,5 @@ def profiles_text(comparison: PlaneComparison) -> str:
 def _text(heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     stream = StringIO()
     writer = csv.writer(stream, delimiter=TAB, lineterminator="\n")
-    writer.writerow(heads)
-    writer.writerows(rows)
+    writer.writerows([as_cell(cell) for cell in row] for row in (heads, *rows))
     return stream.getvalue()

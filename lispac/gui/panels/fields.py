@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolButton, QVBoxLayout, 
 from lispac.errors import InputError
 from lispac.gui import theme, units
 from lispac.gui.language import say
+from lispac.gui.panels import widgets
 from lispac.gui.units import Base
 
 BASES: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
@@ -124,7 +125,7 @@ class Fold(QWidget):
     def set_summary(self, words: str) -> None:
         """What is set inside, in a few words that are said already."""
         self.head.setText(say(f"{self._title}: {words}" if words else self._title))
-        self.head.setToolTip(self.head.text())
+        self.head.setToolTip(widgets.plain_tip(self.head.text()))
 
     def open(self, unfolded: bool = True) -> None:
         """Fold, or unfold."""

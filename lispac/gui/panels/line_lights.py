@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.language import say
+from lispac.gui.panels import widgets
 from lispac.gui.panels.sightings_table import quality_words
 from lispac.project import PickedSighting, Target
 from lispac.targets.quality import SightingQuality
@@ -39,6 +40,7 @@ class LineLights(QWidget):
         self._cells = {}
         for sighting in target.sightings:
             light, words = QLabel(self), QLabel(sighting.line, self)
+            words.setTextFormat(Qt.TextFormat.PlainText)
             light.setObjectName(f"light_{sighting.line}")
             light.setFixedSize(SIZE, SIZE)
             words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
@@ -57,7 +59,7 @@ class LineLights(QWidget):
             rms = units.amount(1000 * sighting.rms, "mm", ".1f")
             tip = f"{line}: {len(sighting.indices):,} points, {rms} RMS\n{said}"
             for each in (light, words):
-                each.setToolTip(say(tip))
+                each.setToolTip(widgets.plain_tip(say(tip)))
                 each.setAccessibleName(say(f"{line}: {said}"))
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -242,7 +242,7 @@ class PatchTestPanel(QWidget):
                 item = self.objects.item(row)
                 said = words.get(_name(item), "")
                 item.setText(f"{_name(item)} ⚠" if said else _name(item))
-                item.setToolTip(say(said))
+                item.setToolTip(widgets.plain_tip(say(said)))
 
     def say_empty(self, words: str) -> None:
         """Say why there is nothing."""

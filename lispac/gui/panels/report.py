@@ -102,7 +102,7 @@ class ReportPanel(QWidget):
         """Take a template's page, convention and language over, or say what is wrong with it."""
         self._template = path
         self.template.setText(say(NO_TEMPLATE if path is None else path.name))
-        self.template.setToolTip("" if path is None else str(path))
+        self.template.setToolTip(widgets.plain_tip("" if path is None else str(path)))
         self.no_template.setVisible(path is not None)
         self.said.setText("")
         if path is not None:

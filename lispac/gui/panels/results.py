@@ -107,8 +107,7 @@ class ResultsPanel(QWidget):
         self._body = QWidget()
         around.addWidget(self._body)
         layout = widgets.column(self._body, 0)
-        self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings")
-        self.warnings.setTextFormat(Qt.TextFormat.RichText)
+        self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
         layout.addWidget(self.warnings)
         head = widgets.label("Boresight, degrees", "heading")
         head.setText(units.signs(head.text(), "°"))
@@ -120,13 +119,11 @@ class ResultsPanel(QWidget):
             "muted", wrap=True,
         )  # fmt: skip
         layout.addWidget(self._truth_note)
-        self.rotation = widgets.label("", wrap=True, name="results_rotation")
-        self.rotation.setTextFormat(Qt.TextFormat.RichText)
+        self.rotation = widgets.label("", wrap=True, name="results_rotation", rich=True)
         layout.addWidget(self.rotation)
         self._parameters_head = widgets.label("Also estimated", "heading")
         layout.addWidget(self._parameters_head)
-        self.parameters = widgets.label("", wrap=True, name="results_parameters")
-        self.parameters.setTextFormat(Qt.TextFormat.RichText)
+        self.parameters = widgets.label("", wrap=True, name="results_parameters", rich=True)
         layout.addWidget(self.parameters)
         layout.addWidget(widgets.label("Weakest direction", "heading"))
         self.weakest = widgets.label("", wrap=True, name="results_weakest")
@@ -184,7 +181,7 @@ class ResultsPanel(QWidget):
             ("surface", "Surface sigma"),
             ("iterations", "Iterations, time"),
         ):
-            value = widgets.label(name=f"result_{key}")
+            value = widgets.label(name=f"result_{key}", rich=True)
             value.setFont(theme.tabular(value.font()))
             value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._values[key] = value

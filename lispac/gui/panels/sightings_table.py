@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme, units
 from lispac.gui.language import say
+from lispac.gui.panels import widgets
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.quality import SightingQuality
 from lispac.workflow.survey import Survey
@@ -88,7 +89,7 @@ class SightingsModel(QAbstractTableModel):
         """Name of a line with its heading, and its colour."""
         said = _said(self._head(section, orientation, role))
         tip = role == Role.ToolTipRole and said is not None
-        return units.signs(said, "mm", figures=False) if tip else said
+        return widgets.plain_tip(units.signs(said, "mm", figures=False)) if tip else said
 
     def _head(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
         if orientation == Qt.Orientation.Vertical:
@@ -119,7 +120,9 @@ class SightingsModel(QAbstractTableModel):
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
         """What a cell shows."""
-        return _said(self._of(index, role))
+        said = _said(self._of(index, role))
+        is_tip = role == Role.ToolTipRole and said is not None
+        return widgets.plain_tip(said) if is_tip else said
 
     def _of(self, index: Index, role: int) -> Any:
         if index.row() == len(self._targets):

@@ -1,5 +1,7 @@
 """Step 2: seeds, the candidate just found, and the list of targets."""
 
+from html import escape
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
@@ -48,7 +50,7 @@ class TargetsPanel(QWidget):
         layout = widgets.column(self)
         self._project: Project | None = None
         self._survey: Survey | None = None
-        self.hint = widgets.label("", "hint", wrap=True, name="seed_hint")
+        self.hint = widgets.label("", "hint", wrap=True, name="seed_hint", rich=True)
         layout.addWidget(self.hint)
         layout.addLayout(self._roles())
         layout.addLayout(self._seed_form())
@@ -188,6 +190,7 @@ class TargetsPanel(QWidget):
         self._explain()
 
     def _explain(self) -> None:
+        line, current = escape(self.line or ""), escape(self.current or "")
         if self.line is None:
             text = (
                 "Hold <b>Ctrl</b> and click a target in the view. "
@@ -195,12 +198,12 @@ class TargetsPanel(QWidget):
             )
         elif self.current is not None:
             text = (
-                f"<b>Ctrl</b>+click gives {self.current} a sighting of its own on {self.line}; "
+                f"<b>Ctrl</b>+click gives {current} a sighting of its own on {line}; "
                 "its other lines stay as they are."
             )
         else:
             text = (
-                f"<b>Ctrl</b>+click seeks a new {self.shape} on {self.line} only. To add the line "
+                f"<b>Ctrl</b>+click seeks a new {self.shape} on {line} only. To add the line "
                 "to a target, select the target in the list first."
             )
         self.hint.setText(say(text))

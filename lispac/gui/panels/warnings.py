@@ -188,7 +188,9 @@ def _item(concern: Concern, text: str) -> QListWidgetItem:
     icon, colour, word = LOOKS[concern.severity]
     said = say(word)
     made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
-    made.setToolTip(f"{said}\n{say('Click, or press Enter, to go to the cause')}")
+    made.setToolTip(
+        widgets.plain_tip(f"{said}\n{say('Click, or press Enter, to go to the cause')}")
+    )
     made.setData(Qt.ItemDataRole.AccessibleTextRole, f"{said}: {text}")
     return made
 

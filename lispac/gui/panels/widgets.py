@@ -1,6 +1,8 @@
 """Small building blocks of the panels."""
 
 from collections.abc import Sequence
+from html import escape
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QKeyEvent
@@ -12,6 +14,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QLabel,
+    QMessageBox,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -27,15 +30,43 @@ from lispac.gui.tabbing import ENTERS
 from lispac.gui.units import Base
 
 
-def label(text: str = "", role: str = "", *, wrap: bool = False, name: str = "") -> QLabel:
-    """A label; ``role`` is one of the style sheet's: muted, heading, error, hint."""
+def label(
+    text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
+) -> QLabel:
+    """A label; ``role`` is one of the style sheet's: muted, heading, error, hint.
+
+    Parameters
+    ----------
+    rich : bool
+        Whether its texts are HTML; foreign parts of these have to be escaped.
+    """
     made = QLabel(say(text))
+    made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
     made.setProperty("role", role)
     made.setWordWrap(wrap)
     made.setObjectName(name)
     if wrap:
         made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
     return made
+
+
+class MessageBox(QMessageBox):
+    """A message box whose texts are plain: names of files may look like HTML."""
+
+    def __init__(self, *args: Any, **named: Any) -> None:
+        super().__init__(*args, **named)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+
+    def setInformativeText(self, text: str) -> None:
+        """Set the text below the main one."""
+        super().setInformativeText(text)
+        for each in self.findChildren(QLabel):
+            each.setTextFormat(Qt.TextFormat.PlainText)
+
+
+def plain_tip(text: str) -> str:
+    """A text as a tooltip, which Qt would take for HTML where it looks like it."""
+    return f"<p>{escape(text)}</p>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
 
 
 class Button(QPushButton):

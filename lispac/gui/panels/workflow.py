@@ -108,7 +108,7 @@ class _Header(QPushButton):
         self._glyph.setPixmap(theme.icon(glyph, theme.colour(colour).name()).pixmap(18, 18))
         self.sentence.setText(say(status.sentence))
         self.setAccessibleName(say(f"{self._title}: {status.sentence}"))
-        self.setToolTip(say(f"{self._title}: {status.sentence} ({word})"))
+        self.setToolTip(widgets.plain_tip(say(f"{self._title}: {status.sentence} ({word})")))
 
 
 def _on_top(panel: QWidget) -> QWidget:

@@ -30,4 +30,4 @@ def locked(folder: Path) -> Iterator[None]:
 
 def is_held(folder: Path) -> bool:
     """Whether the line is being imported at the moment."""
-    return is_locked(folder / LOCK)
+    return bool(is_locked(folder / LOCK))

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QProgressBar,
     QPushButton,
@@ -171,7 +170,7 @@ class ImportDialog(QDialog):
         )
         self.browse = widgets.button("Browse…", "new_folder_browse")
         self.browse.setAutoDefault(False)
-        head = QLabel(say("Project folder"))
+        head = widgets.label("Project folder")
         head.setBuddy(self.folder)
         self.place = QWidget()
         upper = QHBoxLayout(self.place)

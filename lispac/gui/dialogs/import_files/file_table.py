@@ -102,15 +102,14 @@ class FileTable(QTableWidget):
                 (FRAME, words.frame(entry)),
             ):
                 self.item(row, column).setText(say(text))
-                self.item(row, column).setToolTip(say(text))
+                self.item(row, column).setToolTip(widgets.plain_tip(say(text)))
             state, colour = words.state(intake, entry)
             item = self.item(row, STATE)
             item.setText(say(state))
             item.setForeground(QColor(colour))
             item.setIcon(words.state_icon(intake, entry))
-            item.setToolTip(
-                say("\n".join(remark.text for remark in intake.remarks(entry)) or state)
-            )
+            tip = say("\n".join(remark.text for remark in intake.remarks(entry)) or state)
+            item.setToolTip(widgets.plain_tip(tip))
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
@@ -136,7 +135,7 @@ class FileTable(QTableWidget):
         self.insertRow(row)
         for column in range(len(_HEADS)):
             item = QTableWidgetItem(path.name if column == FILE else "")
-            item.setToolTip(str(path))
+            item.setToolTip(widgets.plain_tip(str(path)))
             if column in (COUNT, SPAN):
                 item.setTextAlignment(_RIGHT)
                 item.setFont(theme.tabular(self.font()))
@@ -159,7 +158,7 @@ class FileTable(QTableWidget):
         """A list where there is something to choose, plain words where there is not."""
         path, item = entry.path, self.item(row, column)
         text = next((text for text, data in items if data == chosen), items[0][0])
-        item.setToolTip(say(text))
+        item.setToolTip(widgets.plain_tip(say(text)))
         combo = self.cellWidget(row, column)
         if len(items) < 2:
             if combo is not None:

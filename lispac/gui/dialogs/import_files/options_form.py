@@ -55,7 +55,7 @@ class OptionsForm(QWidget):
             self._labels[option.name].style().polish(self._labels[option.name])
             origin = "Stated by you." if own else "As found in the file, or by default."
             (meaning,) = say_sentences([option.meaning])
-            field.setToolTip(f"{meaning}\n{say(origin)}")
+            field.setToolTip(widgets.plain_tip(f"{meaning}\n{say(origin)}"))
         self._show_system(entry)
 
     def ask(self, name: str) -> None:
