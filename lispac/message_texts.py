@@ -18,6 +18,12 @@ TEXTS: Mapping[str, str] = {
         "The connection to {address} is neither encrypted nor authenticated. Others in the network "
         "can run programs on this computer and on the workers. Use TLS certificates and tls://."
     ),
+    # -- trajectory accuracy -----------------------------------------------------------------
+    "accuracy.too_large": (
+        "{file}: {count:n} records ({share:percent.2} %) have standard deviations over 10,000 m or "
+        "180 deg, as exporters write them where there is no solution. Points at these times have "
+        "no weight in the adjustment. Export the file again, or check the solution at these times."
+    ),
     # -- points of a line --------------------------------------------------------------------
     "audit.time_resolution": (
         "{line}: point times are in steps of {step:ms} ms, with {points:n} points to each step. "

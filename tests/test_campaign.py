@@ -30,7 +30,8 @@ from lispac.simulation.closed_form import Ball
 from lispac.simulation.scanner import Scanner
 from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
-from lispac.workflow.cluster import ClusterAccess, cluster_of
+from lispac.workflow.cluster import cluster_of
+from lispac.workflow.cluster_access import ClusterAccess
 from lispac.workflow.designing import headline
 from tests.clusters import Clusters
 from tests.prediction_study import PLAN

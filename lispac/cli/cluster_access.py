@@ -2,17 +2,14 @@
 
 import sys
 from argparse import Namespace
-from typing import TYPE_CHECKING
 
 from lispac.cli.console import UsageError
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message
-
-if TYPE_CHECKING:
-    from lispac.workflow.cluster import ClusterAccess
+from lispac.workflow.cluster_access import ClusterAccess
 
 
-def cluster_access(arguments: Namespace) -> "ClusterAccess | None":
+def cluster_access(arguments: Namespace) -> ClusterAccess | None:
     """How the scheduler of the options is reached; None without ``--cluster``.
 
     Raises
@@ -28,8 +25,6 @@ def cluster_access(arguments: Namespace) -> "ClusterAccess | None":
                 name = option.replace("_", "-")
                 raise UsageError(f"{arguments.command}: --{name} goes with --cluster.")
         return None
-    from lispac.workflow.cluster import ClusterAccess
-
     tls = tuple(arguments.cluster_tls) if arguments.cluster_tls else None
     access = ClusterAccess(arguments.cluster, tls, arguments.plain_tcp)
     if access.is_open:

@@ -30,8 +30,45 @@ MEMORY_PER_BYTE = 60
 ASCII STL with its corners takes about one for each byte, one of binary PLY ten."""
 
 
+class MeshReader:
+    """Open3D's reader of meshes in a process of its own, since a damaged file may end it.
+
+    A context that keeps the process for several files; a new one is made where it was ended.
+    """
+
+    def __init__(self) -> None:
+        self._pool: ProcessPoolExecutor | None = None
+
+    def __enter__(self) -> "MeshReader":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._pool is not None:
+            self._pool.shutdown()
+        self._pool = None
+
+    def read(self, path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
+        """Vertices (n, 3) and triangles (m, 3) of a file.
+
+        Raises
+        ------
+        InputError
+            Where the process ends, or runs out of memory.
+        """
+        if self._pool is None:
+            self._pool = ProcessPoolExecutor(1, get_context("spawn"))
+        with plain_name(path, ending) as name:
+            try:
+                return self._pool.submit(_read_alone, str(name)).result()
+            except (BrokenProcessPool, MemoryError, RuntimeError) as error:
+                self.__exit__()
+                raise InputError(
+                    f"{path}: this mesh file is damaged and cannot be read; export the mesh again."
+                ) from error
+
+
 def read_mesh(
-    path: Path, name: str, reflectance: float, *, reader: "MeshReader | None" = None
+    path: Path, name: str, reflectance: float, *, reader: MeshReader | None = None
 ) -> Mesh:
     """Read a mesh in local coordinates: north, west, up in metres.
 
@@ -85,43 +122,6 @@ def _ending(path: Path) -> str:
     if path.suffix.lower() not in ENDINGS:
         raise InputError(f"{path}: a mesh is PLY, OBJ or STL; export it as one of these.")
     return path.suffix.lower()
-
-
-class MeshReader:
-    """Open3D's reader of meshes in a process of its own, since a damaged file may end it.
-
-    A context that keeps the process for several files; a new one is made where it was ended.
-    """
-
-    def __init__(self) -> None:
-        self._pool: ProcessPoolExecutor | None = None
-
-    def __enter__(self) -> "MeshReader":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._pool is not None:
-            self._pool.shutdown()
-        self._pool = None
-
-    def read(self, path: Path, ending: str) -> tuple[Array, NDArray[np.int64]]:
-        """Vertices (n, 3) and triangles (m, 3) of a file.
-
-        Raises
-        ------
-        InputError
-            Where the process ends, or runs out of memory.
-        """
-        if self._pool is None:
-            self._pool = ProcessPoolExecutor(1, get_context("spawn"))
-        with plain_name(path, ending) as name:
-            try:
-                return self._pool.submit(_read_alone, str(name)).result()
-            except (BrokenProcessPool, MemoryError, RuntimeError) as error:
-                self.__exit__()
-                raise InputError(
-                    f"{path}: this mesh file is damaged and cannot be read; export the mesh again."
-                ) from error
 
 
 def _read_alone(name: str) -> tuple[Array, NDArray[np.int64]]:

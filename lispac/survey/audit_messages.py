@@ -16,6 +16,9 @@ from lispac.survey.line_audit import (
 from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
 
+MANY_TOO_FAR = 0.001
+"""Share of points beyond the reach of the scanner from which the file is doubtful: its unit, or the
+scanner that was given."""
 COARSE_STEP = 0.9e-3
 """Seconds: steps of the point times from here on are reported."""
 FEWEST_OF_GROUP = 0.01
@@ -183,7 +186,8 @@ def _excluded(name: str, audit: LineAudit) -> Iterator[Message]:
     if audit.no_range:
         yield excluded("no_range", audit.no_range)
     if audit.too_far:
-        yield excluded("too_far", audit.too_far)
+        many = audit.too_far > MANY_TOO_FAR * audit.read
+        yield excluded("too_far", audit.too_far, level=Level.WARNING if many else Level.NOTE)
     if audit.duplicates:
         yield excluded("duplicates", audit.duplicates)
     if audit.withheld:

@@ -10,13 +10,11 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
 from multiprocessing import get_context
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from lispac.design.search import Mapper
 from lispac.errors import LispacError
-
-if TYPE_CHECKING:
-    from lispac.workflow.cluster import ClusterAccess
+from lispac.workflow.cluster_access import ClusterAccess
 
 CHUNK = 16
 """Most values that a process is sent at once."""
@@ -26,9 +24,7 @@ ROUNDS = 8
 keeps the others waiting for a fraction of the whole only."""
 
 
-def mapper_of(
-    workers: int | None, cluster: "ClusterAccess | None"
-) -> AbstractContextManager[Mapper]:
+def mapper_of(workers: int | None, cluster: ClusterAccess | None) -> AbstractContextManager[Mapper]:
     """The mapper that a user asked for.
 
     Parameters

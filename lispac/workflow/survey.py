@@ -16,7 +16,7 @@ from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
 from lispac.io.values import decoded
-from lispac.messages import Level, Message
+from lispac.messages import Level, Message, Value
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
@@ -37,6 +37,8 @@ from lispac.workflow.reading import (
     read_accuracy,
 )
 
+LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
+"""Standard deviations that no POS has; exporters write such values where they have no solution."""
 DATA = Cause.of_step("Data")
 LARGE = 4_000_000
 """Points; lines with more are imported into the project's store, smaller ones are read into memory
@@ -147,6 +149,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     accuracy, said = _accuracy(project, trajectory)
     notes += said
     messages = (*_file_messages(project), *trajectory.messages)
+    messages += _accuracy_messages(project, accuracy)
     audits: dict[str, LineAudit] = {}
     scans: dict[str, Line] = {}
     clouds: dict[str, Cloud] = {}
@@ -231,6 +234,21 @@ def _accuracy(
         np.radians(project.settings.attitude_sigma_deg),
     )
     return typed, ("POS accuracies are the typed ones, the same at all times",)
+
+
+def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[Message, ...]:
+    """Whether a file of standard deviations has some that no POS has."""
+    if project.accuracy is None:
+        return ()
+    far = (accuracy.position > LARGEST_SIGMA_M).any(axis=1)
+    turned = (accuracy.attitude > LARGEST_SIGMA_RAD).any(axis=1)
+    count = int((far | turned).sum())
+    if not count:
+        return ()
+    params: dict[str, Value] = {
+        "file": project.accuracy.name, "count": count, "share": count / len(accuracy.time),
+    }  # fmt: skip
+    return (Message("accuracy.too_large", Level.WARNING, params, DATA),)
 
 
 def _opened(

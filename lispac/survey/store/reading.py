@@ -130,7 +130,7 @@ class StoredLine:
         local = self._own("coarse_local")
         # Where the trajectory is, only the placing of the points knows.
         if not np.isfinite(local).all() or (np.abs(local) > FARTHEST).any():
-            raise self._damaged("places of points")
+            raise self._damaged()
         return Coarse(rows, local, xyz, time, intensity)
 
     def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
@@ -157,7 +157,7 @@ class StoredLine:
 
     def _require_below(self, rows: NDArray[Any], count: int) -> None:
         if len(rows) and not (rows.min() >= 0 and rows.max() < count):
-            raise self._damaged("a number of a point")
+            raise self._damaged()
 
     def _require_points(self, points_lidar: NDArray[Any], time: NDArray[Any]) -> None:
         """Refuse points farther than the manifest says, and times outside of its own.
@@ -171,12 +171,12 @@ class StoredLine:
         most = self.manifest.reach * (1 + ROUNDING) + FINEST
         early, late = self.manifest.first_time, self.manifest.last_time
         if not (np.abs(points_lidar).max() <= most and early <= time.min() <= time.max() <= late):
-            raise self._damaged("a point or its time")
+            raise self._damaged()
 
-    def _damaged(self, what: str) -> ProjectError:
+    def _damaged(self) -> ProjectError:
         return ProjectError(
-            f"{self.name}: {what} in the imported line lies outside of what was imported, so its "
-            "files were changed since; import the line again."
+            f"{self.name}: the imported line holds values that no import writes, so its files were "
+            "changed since; import the line again."
         )
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
@@ -359,7 +359,7 @@ class StoredLine:
     def _octaves(self) -> Keys:
         octaves = np.array(self._own("octaves"))
         if (octaves[1:] <= octaves[:-1]).any():
-            raise self._damaged("the order of cells")
+            raise self._damaged()
         return octaves
 
     @cached_property
@@ -367,7 +367,7 @@ class StoredLine:
         starts = np.array(self._own("starts"))
         sound = len(starts) == len(self._octaves) + 1 and starts[0] == 0
         if not sound or starts[-1] != len(self) or (starts[1:] <= starts[:-1]).any():
-            raise self._damaged("the order of cells")
+            raise self._damaged()
         return starts
 
 

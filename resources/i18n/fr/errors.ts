@@ -3773,10 +3773,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Les campagnes sur plusieurs machines demandent le paquet distributed : python -m pip install -e '.[cluster]' dans le dossier des sources, sur cette machine et sur les autres.</translation>
     </message>
     <message>
-        <source>{address:kept}: not the address of a scheduler; it is written tcp://HOST:PORT, for example tcp://192.168.1.20:8786.</source>
-        <translation>{address} : ce n&apos;est pas l&apos;adresse d&apos;un ordonnanceur ; elle s&apos;écrit tcp://HÔTE:PORT, par exemple tcp://192.168.1.20:8786.</translation>
-    </message>
-    <message>
         <source>{address:kept}: no scheduler answers there within {CONNECT:n} s; start one with `dask scheduler`, and mind the address it prints and the firewall.</source>
         <translation>{address} : aucun ordonnanceur n&apos;y répond en {CONNECT} s ; démarrez-en un par `dask scheduler`, et faites attention à l&apos;adresse qu&apos;il affiche et au pare-feu.</translation>
     </message>
@@ -4235,6 +4231,82 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{path:file}: the project file cannot be read ({error:foreign}); check the disk and its permissions.</source>
         <translation>{path} : le fichier du projet ne peut pas être lu ({error}) ; vérifiez le disque et les droits d'accès.</translation>
+    </message>
+    <message>
+        <source>{address:kept}: not the address of a scheduler; it is written tls://HOST:PORT, for example tls://192.168.1.20:8786.</source>
+        <translation>{address} : ce n'est pas l'adresse d'un ordonnanceur ; elle s'écrit tls://HÔTE:PORT, par exemple tls://192.168.1.20:8786.</translation>
+    </message>
+    <message>
+        <source>{url:kept}: TCP is neither encrypted nor authenticated, so others in the network could run programs on this computer and on the workers. Use TLS certificates and tls://, or accept the risk with --plain-tcp.</source>
+        <translation>{url} : TCP n'est ni chiffré ni authentifié ; d'autres personnes du réseau pourraient exécuter des programmes sur cet ordinateur et sur les machines de calcul. Utilisez des certificats TLS et tls://, ou acceptez le risque avec --plain-tcp.</translation>
+    </message>
+    <message>
+        <source>{url:kept}: TLS needs certificates; give them with --cluster-tls CA CERTIFICATE KEY, or in dask's configuration.</source>
+        <translation>{url} : TLS demande des certificats ; donnez-les avec --cluster-tls CA CERTIFICAT CLÉ, ou dans la configuration de dask.</translation>
+    </message>
+    <message>
+        <source>{url:kept}: its TLS certificates cannot be used ({in_one_line:foreign}); check the files of the authority, the certificate and the key.</source>
+        <translation>{url} : ses certificats TLS sont inutilisables ({in_one_line}) ; vérifiez les fichiers de l'autorité, du certificat et de la clé.</translation>
+    </message>
+    <message>
+        <source>The connection to {address:kept} is neither encrypted nor authenticated. Others in the network can run programs on this computer and on the workers. Use TLS certificates and tls://.</source>
+        <translation>La connexion à {address} n'est ni chiffrée ni authentifiée. D'autres personnes du réseau peuvent exécuter des programmes sur cet ordinateur et sur les machines de calcul. Utilisez des certificats TLS et tls://.</translation>
+    </message>
+    <message>
+        <source>{file:file}: {count:n} records ({share:n} %) have standard deviations over 10,000 m or 180 deg, as exporters write them where there is no solution. Points at these times have no weight in the adjustment. Export the file again, or check the solution at these times.</source>
+        <translation>{file} : {count} enregistrements ({share} %) ont des écarts-types de plus de 10 000 m ou 180 deg, comme les logiciels en écrivent là où il n'y a pas de solution. Les points de ces instants n'ont aucun poids dans la compensation. Exportez de nouveau le fichier, ou vérifiez la solution à ces instants.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: the imported line holds values that no import writes, so its files were changed since; import the line again.</source>
+        <translation>{name} : la ligne importée contient des valeurs qu'aucune importation n'écrit ; ses fichiers ont été modifiés depuis. Importez de nouveau la ligne.</translation>
+    </message>
+    <message>
+        <source>{folder:file}: {target:kept} has points that {line:kept} does not have, so the project is damaged; restore its folder from a copy.</source>
+        <translation>{folder} : {target} a des points que {line} n'a pas, le projet est donc endommagé ; rétablissez son dossier à partir d'une copie.</translation>
+    </message>
+    <message>
+        <source>the logo {name:kept} is not in the folder of the template; copy the picture there.</source>
+        <translation>le logo {name} n'est pas dans le dossier du modèle ; copiez l'image dans ce dossier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: the logo {name:kept} is not in the folder of the template; copy the picture there.</source>
+        <translation>{path} : le logo {name} n'est pas dans le dossier du modèle ; copiez l'image dans ce dossier.</translation>
+    </message>
+    <message>
+        <source>{path:file}: this mesh file is damaged and cannot be read; export the mesh again.</source>
+        <translation>{path} : ce fichier de maillage est endommagé et illisible ; exportez de nouveau le maillage.</translation>
+    </message>
+    <message>
+        <source>{path:file}: a triangle has a corner that is not in the file; export the mesh again.</source>
+        <translation>{path} : un triangle a un sommet qui n'est pas dans le fichier ; exportez de nouveau le maillage.</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text</source>
+        <translation>ce n'est pas du texte UTF-8</translation>
+    </message>
+    <message>
+        <source>its lists or tables are nested too deeply</source>
+        <translation>ses listes ou tables sont imbriquées trop profondément</translation>
+    </message>
+    <message>
+        <source>a number in it is too large</source>
+        <translation>un nombre y est trop grand</translation>
+    </message>
+    <message>
+        <source>a text in it has a null character</source>
+        <translation>un texte y contient un caractère nul</translation>
+    </message>
+    <message>
+        <source>a text in it has a character that is cut in half</source>
+        <translation>un texte y contient un caractère incomplet</translation>
+    </message>
+    <message>
+        <source>the number of points of a sighting is not one</source>
+        <translation>le nombre de points d'une observation n'en est pas un</translation>
+    </message>
+    <message>
+        <source>The {name} is {value:n} {unit:kept}, beyond what is possible ({least:n} to {most:n} {unit2:kept}); correct it.</source>
+        <translation>Valeur impossible ({name}) : {value} {unit}, alors que de {least} à {most} {unit2} sont possibles ; corrigez-la.</translation>
     </message>
     <message>
         <source>{folder:file}: there is a project here already; choose another folder.</source>

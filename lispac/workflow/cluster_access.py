@@ -1,0 +1,118 @@
+"""How a dask scheduler is reached: by TLS, or by TCP where the user accepts its risk.
+
+Source: dask, distributed, "TLS/SSL".
+"""
+
+import ipaddress
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from lispac.errors import LispacError
+from lispac.io.files import require_file
+from lispac.io.values import in_one_line
+
+ADDRESS = re.compile(r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
+
+
+@dataclass(frozen=True)
+class ClusterAccess:
+    """How a scheduler is reached.
+
+    dask unpickles what a scheduler sends, so that whoever answers at its address can run programs
+    on this computer, and whoever reaches the scheduler can run programs on the workers. TLS with
+    certificates lets nobody else answer.
+
+    Attributes
+    ----------
+    address : str
+        ``tls://HOST:PORT``, ``tcp://HOST:PORT`` or ``HOST:PORT``, which is TLS unless the host is
+        this computer.
+    certificates : tuple of 3 Path, optional
+        Of the authority, of this client, and its key, all PEM; those of dask's own configuration
+        where they are not given.
+    plain_tcp : bool
+        Whether TCP to another computer is accepted.
+    """
+
+    address: str
+    certificates: tuple[Path, Path, Path] | None = None
+    plain_tcp: bool = False
+
+    @property
+    def url(self) -> str:
+        """Address with its protocol.
+
+        Raises
+        ------
+        LispacError
+            Where it is no address, or plain TCP to another computer and that is not accepted.
+        """
+        found = ADDRESS.fullmatch(self.address)
+        if found is None:
+            raise LispacError(
+                f"{self.address}: not the address of a scheduler; it is written tls://HOST:PORT, "
+                "for example tls://192.168.1.20:8786."
+            )
+        here = is_this_computer(found["host"].strip("[]"))
+        protocol = found["protocol"] or ("tcp" if here else "tls")
+        url = self.address if found["protocol"] else f"{protocol}://{self.address}"
+        if protocol == "tcp" and not here and not self.plain_tcp:
+            raise LispacError(
+                f"{url}: TCP is neither encrypted nor authenticated, so others in the network "
+                "could run programs on this computer and on the workers. Use TLS certificates and "
+                "tls://, or accept the risk with --plain-tcp."
+            )
+        return url
+
+    @property
+    def is_open(self) -> bool:
+        """Whether others in the network could answer instead of the scheduler, or read along."""
+        host = ADDRESS.fullmatch(self.url)
+        assert host is not None
+        return self.url.startswith("tcp://") and not is_this_computer(host["host"].strip("[]"))
+
+    def security(self) -> Any:
+        """Dask's settings of the connection.
+
+        Raises
+        ------
+        LispacError
+            Where TLS has no certificates, or a file of theirs cannot be used.
+        """
+        from distributed.security import Security
+
+        if not self.url.startswith("tls://"):
+            return Security()
+        if self.certificates is None:
+            settings = Security(require_encryption=True)
+        else:
+            authority, certificate, key = (
+                str(require_file(path, "certificate")) for path in self.certificates
+            )
+            settings = Security(
+                require_encryption=True, tls_ca_file=authority, tls_client_cert=certificate,
+                tls_client_key=key,
+            )  # fmt: skip
+        if not settings.tls_ca_file or not settings.tls_client_cert:
+            raise LispacError(
+                f"{self.url}: TLS needs certificates; give them with --cluster-tls CA CERTIFICATE "
+                "KEY, or in dask's configuration."
+            )
+        try:
+            settings.get_connection_args("client")
+        except (OSError, ValueError) as error:  # ssl.SSLError is an OSError
+            raise LispacError(
+                f"{self.url}: its TLS certificates cannot be used ({in_one_line(error)}); check "
+                "the files of the authority, the certificate and the key."
+            ) from error
+        return settings
+
+
+def is_this_computer(host: str) -> bool:
+    """Whether a host is the loopback of this computer; names are not looked up."""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
