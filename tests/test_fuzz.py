@@ -463,7 +463,9 @@ SUBJECTS: dict[str, Subject] = {
     "plans": toml("tests/data/*plan*.toml", read_plan),
     "sites": toml("resources/sites/*.toml", read_site),
     "scanners": toml("resources/scanners/*.toml", read_scanner),
-    "scanner figures": toml("resources/scanners/*.toml", read_scanner_figures),
+    "scanner figures": toml(
+        "resources/scanners/*.toml", partial(read_scanner_figures, whole=False)
+    ),
     "POS figures": toml("resources/pos/*.toml", read_pos_figures),
     "vessels": toml("resources/vessels/*.toml", read_vessel),
     "report template": report_template,

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.cli.main import main
 from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
@@ -174,3 +175,62 @@ def test_kill_during_save(tmp_path: Path, times: int) -> None:
     print(f"\n{times} times killed while saving; {sum(seen)} times the one state was left")
     if times > 10:
         assert len(set(seen)) == 2
+
+
+COMMAND = """
+import sys
+from lispac.cli.main import main
+print("ready", flush=True)
+main(sys.argv[1:])
+"""
+
+
+def command_killed(words: list[str], seconds: float | None) -> float:
+    """Run a command in a process of its own and kill it so long after its start, as `killed`."""
+    with subprocess.Popen(
+        [sys.executable, "-c", COMMAND, *words], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+        text=True, cwd=CHECKOUT, env=os.environ | {"PYTHONPATH": str(CHECKOUT)},
+    ) as process:  # fmt: skip
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        start = time.monotonic()
+        if seconds is not None:
+            time.sleep(seconds)
+            process.send_signal(signal.SIGKILL)
+        process.stdout.read()
+        process.wait()
+        return time.monotonic() - start
+
+
+@pytest.mark.parametrize(
+    ("name", "times"),
+    [
+        ("export", 1),
+        *(
+            pytest.param(name, 50, marks=[pytest.mark.long, pytest.mark.timeout(3600)])
+            for name in ("pick", "estimate", "report", "georeference", "export")
+        ),
+    ],
+)
+def test_kill_during_a_command(copy: Project, tmp_path: Path, name: str, times: int) -> None:
+    """The project opens, and the next run completes and leaves nothing of the killed one."""
+    folder, out = str(copy.folder), tmp_path / "out"
+    first = copy.targets[0]
+    words = {
+        "pick": ["--name", "T9", "--seed", *(f"{value:.3f}" for value in first.seed)],
+        "estimate": ["--no-cross-checks"],
+        "report": ["--output", str(out / "r.pdf")],
+        "georeference": ["--output", str(out), "--crs", "local", "--lines", copy.lines[0].name],
+        "export": ["--what", "targets", "--output", str(out / "targets.laz"), "--crs", "local"],
+    }[name]
+    words = [name, folder, *words]
+    took = command_killed(words, None)
+    complete = {path.name for path in out.glob("*")}
+    chance = random.Random(name)
+    for _ in range(times):
+        command_killed(words, took * chance.random())
+        read_project(copy.folder)
+        assert main(words) == 0
+        left = [path for place in (copy.folder, out) for path in place.rglob(".*")]
+        assert left == []
+        assert {path.name for path in out.glob("*")} == complete

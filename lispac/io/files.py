@@ -31,7 +31,11 @@ def require_file(path: Path, what: str) -> Path:
     InputError
     """
     path = Path(path)
-    if not path.exists():
+    try:
+        there = path.exists()
+    except (OSError, ValueError):  # a name that is too long, or has a null character
+        there = False
+    if not there:
         raise InputError(f"{path}: there is no such {what} file; check the path.")
     if not path.is_file():
         raise InputError(f"{path}: this is a {_kind(path)}, not a {what} file; choose a file.")

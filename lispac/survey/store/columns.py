@@ -141,7 +141,8 @@ def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
         return np.broadcast_to(value, shape)
     path = folder / column.file
     try:
-        values: NDArray[Any] = np.load(path, mmap_mode="r", allow_pickle=False)
+        # Not `np.load`, which also opens archives and pickles.
+        values: NDArray[Any] = np.lib.format.open_memmap(path, mode="r")
         if values.shape != shape or values.dtype != np.dtype(column.dtype):
             raise ValueError(f"it holds {values.dtype} of shape {values.shape}")
     except (
