@@ -11,6 +11,7 @@ from lispac.io.las import write_points
 from lispac.io.project_file import SIGHTINGS, read_project, write_project
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
+from lispac.workflow.demo import MARKER, make_demo
 from lispac.workflow.importing import LINES, import_lines, line_folder
 from lispac.workflow.survey import Survey
 
@@ -97,3 +98,15 @@ def test_no_line_is_imported_behind_a_link(project: Project, tmp_path: Path, pla
         import_lines(project)
     assert contents(tmp_path / "elsewhere") == before
     assert is_link(folder)
+
+
+def test_a_simulation_writes_nothing_behind_a_link(tmp_path: Path) -> None:
+    folder, elsewhere = tmp_path / "demo", tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / MARKER).write_text("an earlier demo, moved away")
+    folder.mkdir()
+    (folder / "raw").symlink_to(elsewhere, target_is_directory=True)
+    before = contents(elsewhere)
+    with pytest.raises(ProjectError, match="link"):
+        make_demo(folder, points_per_second=1000.0)
+    assert contents(elsewhere) == before

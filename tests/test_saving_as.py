@@ -31,7 +31,7 @@ from lispac.io.project_file import read_project
 from lispac.workflow import saving_as
 from lispac.workflow.survey import load_survey
 
-def die(*_):
+def die(*_, **named):
     os.kill(os.getpid(), signal.SIGKILL)
 
 def copying(fraction, words=""):

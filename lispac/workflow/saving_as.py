@@ -13,7 +13,7 @@ from lispac.io.project_file import FILE_NAME, SIGHTINGS, write_project
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
-from lispac.survey.store.layout import COLUMNS, MANIFEST, PART, write_manifest
+from lispac.survey.store.layout import COLUMNS, MANIFEST, PART, is_link, write_manifest
 from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.reading import StoredLine
 from lispac.workflow.importing import HEADER, HEADER_SUM, LINES, kept_header, line_folder
@@ -132,6 +132,8 @@ def _unfinished(folder: Path) -> Iterator[None]:
 def _remove_unfinished(lines: Path) -> None:
     for mark in lines.glob(f"*/{MARK}"):
         store = mark.parent
+        if is_link(store):
+            continue
         for columns in store.glob(f"{COLUMNS}*"):
             shutil.rmtree(columns, ignore_errors=True)
         for name in (MANIFEST, f"{MANIFEST}{PART}", MARK):

@@ -10,7 +10,7 @@ import numpy as np
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import written_whole
 from lispac.io.las import write_points
-from lispac.io.project_file import FILE_NAME
+from lispac.io.project_file import FILE_NAME, SIGHTINGS
 from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.io.text_export import write_table
 from lispac.progress import Progress, no_progress, part
@@ -20,6 +20,7 @@ from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Sphere
 from lispac.simulation.survey import SimulatedSurvey, simulated
 from lispac.survey.georeferencing import CALIBRATION
+from lispac.survey.store.layout import require_no_link
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.projects import create_project
 from lispac.workflow.simulated_setup import Simulation
@@ -93,6 +94,7 @@ def require_replaceable(folder: Path, marker: str) -> None:
         raise ProjectError(f"{folder}: this is a file; choose a folder for the {marker} survey.")
     if folder.exists() and any(folder.iterdir()) and not (folder / RAW / marker).is_file():
         raise ProjectError(f"{folder}: this folder holds other files; choose a new one.")
+    require_no_link(folder / RAW, folder / TRUTH, folder / SIGHTINGS)
 
 
 def clear(folder: Path, marker: str, text: str) -> None:
@@ -100,7 +102,7 @@ def clear(folder: Path, marker: str, text: str) -> None:
     with written_whole(folder / RAW / marker) as path:
         path.write_text(text)
     (folder / FILE_NAME).unlink(missing_ok=True)
-    shutil.rmtree(folder / "sightings", ignore_errors=True)
+    shutil.rmtree(folder / SIGHTINGS, ignore_errors=True)
 
 
 def write_lines(

@@ -99,7 +99,7 @@ def test_the_project_goes_on_in_its_new_folder(
 def test_a_folder_that_cannot_be_written_names_the_remedy(
     harbour: Driver, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refused(_project: Project) -> None:
+    def refused(_project: Project, **_: object) -> None:
         raise InputError(f"{demo_copy}: cannot be written (Read-only); choose another folder.")
 
     monkeypatch.setattr("lispac.workflow.projects.write_project", refused)
