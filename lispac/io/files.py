@@ -216,7 +216,7 @@ def written_whole(path: Path) -> Iterator[Path]:
         remove_empty(made)
 
 
-ABANDONED_AFTER, LOCKED_AFTER = 60.0, 1.0
+ABANDONED_AFTER, LOCKED_AFTER = 60.0, 0.1
 """Seconds without a change after which nobody is still writing a file, and after which one who
 writes it has locked it, on systems where this is done."""
 
