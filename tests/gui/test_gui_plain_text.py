@@ -1,0 +1,40 @@
+"""Texts of files are shown as text, whatever they look like."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QMessageBox
+from pytestqt.qtbot import QtBot
+
+from lispac.errors import InputError
+from lispac.gui.dialogs.error import error_box
+from lispac.gui.panels import widgets
+
+PICTURE = '<img src="https://example.org/x.png"> line'
+
+
+def is_plain(label: QLabel) -> bool:
+    return label.textFormat() == Qt.TextFormat.PlainText
+
+
+def test_labels_and_boxes_show_names_as_they_are(qtbot: QtBot) -> None:
+    label = widgets.label()
+    box = widgets.MessageBox(QMessageBox.Icon.Question, "LISPAC", PICTURE)
+    box.setInformativeText(PICTURE)
+    error = error_box(None, InputError(f"{PICTURE}: cannot be read; export it again."))
+    for each in (label, box, error):
+        qtbot.addWidget(each)
+    assert is_plain(label)
+    for each in (box, error):
+        shown = [inner for inner in each.findChildren(QLabel) if PICTURE in inner.text()]
+        assert shown
+        assert all(map(is_plain, shown))
+
+
+@pytest.mark.parametrize("text", [PICTURE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])
+def test_tooltips_load_nothing(text: str) -> None:
+    tip = widgets.plain_tip(text)
+    if Qt.mightBeRichText(text):
+        assert "<img" not in tip
+        assert "<b>" not in tip
+    else:
+        assert tip == text

@@ -1,0 +1,87 @@
+"""Values and texts of files that others wrote: checked in one place, and shown as text."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.errors import InputError, LispacError
+from lispac.foreign_values import Unfit, as_cell, json_values, toml_values
+from lispac.project import Project, Settings
+from lispac.workflow.survey import load_survey
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[" * 100 + "]" * 100, "[" * 100_000, "9" * 5000, str(2**63), '"\\u0000"', '"\\ud800"',
+        '{"a": [{"b\\u0000": 1}]}', "{", b"\xff\xfe",
+    ],
+)  # fmt: skip
+def test_json_that_cannot_be_used_is_refused(text: str | bytes) -> None:
+    with pytest.raises(Unfit):
+        json_values(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [b"a = " + b"[" * 3000, b"a = " + b"9" * 5000, b'a = "\\u0000"', b"a = 1\na = 2", b"a = \xff"],
+)
+def test_toml_that_cannot_be_used_is_refused(text: bytes) -> None:
+    with pytest.raises(Unfit):
+        toml_values(text)
+
+
+def test_usable_values_come_back_as_they_are() -> None:
+    values = {"a": [1, 2.5, None, True, {"b": "L\u00e9v\u00e9"}], "path": "x\udcff", "n": -(2**62)}
+    assert json_values(json.dumps(values)) == values
+    assert toml_values(b'a = [1, "b"]\n') == {"a": [1, "b"]}
+
+
+@pytest.mark.parametrize(
+    ("value", "cell"),
+    [
+        ("=1+1", "'=1+1"), ("+cmd", "'+cmd"), ("-L1", "'-L1"), ("@x", "'@x"), ("\tx", "'\tx"),
+        ("-0.25", "-0.25"), ("+1,234.5", "+1,234.5"), (-3.5, "-3.5"), ("L1", "L1"), (None, ""),
+        ("-1e-5", "-1e-5"),
+    ],
+)  # fmt: skip
+def test_cells_that_spreadsheets_take_for_formulas(value: object, cell: str) -> None:
+    assert as_cell(value) == cell
+
+
+def test_a_message_stays_one_line_of_text() -> None:
+    told = str(LispacError("a\nb\x1b[31m\r\x00\x9bc: wrong."))
+    assert told.isprintable()
+    assert "wrong." in told
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"position_time": 1e-320}, {"attitude_time": 1e300}, {"subsample": 1e-300},
+        {"lidar_sigma": 1e5}, {"position_sigma": (1e5, 0.1, 0.1)}, {"longest_gap": 1e-12},
+    ],
+)  # fmt: skip
+def test_settings_beyond_what_is_possible_are_refused(given: dict[str, object]) -> None:
+    with pytest.raises(InputError):
+        Settings((0.0, 0.0, 0.0), **given).require_sound()  # type: ignore[arg-type]
+    Settings((0.0, 0.0, 0.0)).require_sound()
+
+
+def test_impossible_standard_deviations_draw_a_warning(copy: Project) -> None:
+    def codes() -> list[str]:
+        return [message.code for message in load_survey(copy).messages]
+
+    assert "accuracy.too_large" not in codes()
+    assert copy.accuracy is not None
+    records = np.fromfile(copy.accuracy).reshape(-1, 10)
+    records[5, 1:4] = 2e4
+    records.tofile(copy.accuracy)
+    assert "accuracy.too_large" in codes()
+
+
+def test_the_folder_of_the_copy_is_its_own(copy: Project) -> None:
+    assert copy.accuracy is not None
+    assert Path(copy.accuracy).is_relative_to(copy.folder), "the test above changes it"
