@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.components import FEWEST_LINES
 from lispac.adjustment.line_shifts import Scores
+from lispac.adjustment.observability import observability
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.scatter import with_scatter
 from lispac.adjustment.shown import listed
@@ -196,6 +197,9 @@ def targetless(
     told, shifted = result, tuple[str, ...]()
     if solved is not None:
         told = with_scatter(result, solved.here, solved.origins, progress=part(progress, 0.95, 1.0))
+        if told.observability is not None and told.raised is not None:
+            seen = observability(solved.here, raised=told.raised, origins=solved.origins)
+            told = replace(told, observability=seen)
         shifted = Scores.of(solved.here).shifted()
     raised = float((told.sigma / result.sigma).max())
     answer = replace(picked, result=replace(told, elapsed=perf_counter() - started))

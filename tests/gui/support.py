@@ -189,7 +189,7 @@ class Driver:
 def labels_that_guess(window: QWidget) -> list[str]:
     """Labels with a text that decide by it whether it is HTML: the name of a file may look so.
 
-    Those of forms are words of the program.
+    Those of forms are words of the program; tooltips are escaped where they are set.
     """
     heads = {
         item.widget().text()
@@ -201,7 +201,9 @@ def labels_that_guess(window: QWidget) -> list[str]:
     return [
         label.text()
         for label in window.findChildren(QLabel)
-        if label.textFormat() == Qt.TextFormat.AutoText and label.text() not in {"", *heads}
+        if label.textFormat() == Qt.TextFormat.AutoText
+        and label.text() not in {"", *heads}
+        and label.metaObject().className() != "QTipLabel"
     ]
 
 
