@@ -1,11 +1,14 @@
 """Values and texts of files that others wrote: checked in one place, and shown as text."""
 
 import json
+import os
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from lispac.cli.main import main
 from lispac.errors import InputError, LispacError
 from lispac.foreign_values import Unfit, as_cell, json_values, toml_values
 from lispac.project import Project, Settings
@@ -85,3 +88,12 @@ def test_impossible_standard_deviations_draw_a_warning(copy: Project) -> None:
 def test_the_folder_of_the_copy_is_its_own(copy: Project) -> None:
     assert copy.accuracy is not None
     assert Path(copy.accuracy).is_relative_to(copy.folder), "the test above changes it"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are Unicode")
+@pytest.mark.parametrize("ending", ["pdf", "html", "json"])
+def test_reports_of_folders_whose_names_are_not_utf8(copy: Project, ending: str) -> None:
+    folder = copy.folder.rename(copy.folder.with_name(os.fsdecode(b"quay\xff")))
+    report = folder.parent / f"report.{ending}"
+    assert main(["report", str(folder), "--output", str(report)]) == 0
+    assert report.stat().st_size > 1000

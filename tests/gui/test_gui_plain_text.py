@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 from lispac.errors import InputError
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.panels import widgets
+from tests.gui.support import Driver, labels_that_guess
 
 PICTURE = '<img src="https://example.org/x.png"> line'
 
@@ -28,6 +29,10 @@ def test_labels_and_boxes_show_names_as_they_are(qtbot: QtBot) -> None:
         shown = [inner for inner in each.findChildren(QLabel) if PICTURE in inner.text()]
         assert shown
         assert all(map(is_plain, shown))
+
+
+def test_no_label_of_the_window_guesses(adjusted: Driver) -> None:
+    assert labels_that_guess(adjusted.window) == []
 
 
 @pytest.mark.parametrize("text", [PICTURE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])
