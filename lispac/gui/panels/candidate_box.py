@@ -68,7 +68,9 @@ class CandidateBox(QFrame):
             text += f" Not found on {', '.join(candidate.missing)}."
         self.detail.setText(say(text))
         self.detail.setToolTip(
-            say("\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items()))
+            widgets.plain_tip(
+                say("\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items()))
+            )
         )
         self.lights.show_target(candidate)
         double = overlap_words(candidate, project.targets)

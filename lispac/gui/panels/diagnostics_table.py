@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from lispac.gui import theme, units
 from lispac.gui.language import say
+from lispac.gui.panels import widgets
 from lispac.gui.units import Base
 
 Key = tuple[str, str]
@@ -141,7 +142,7 @@ class DiagnosticsTable(QTableWidget):
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
                 if tip:
-                    item.setToolTip(tip)
+                    item.setToolTip(widgets.plain_tip(tip))
                 self.setItem(number, column, item)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)

@@ -150,7 +150,7 @@ class HistogramsPanel(QWidget):
                 item.setFont(font)
                 if column:
                     item.setTextAlignment(_RIGHT)
-                item.setToolTip(tip)
+                item.setToolTip(widgets.plain_tip(tip))
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         self.table.blockSignals(False)
