@@ -79,7 +79,7 @@ def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
     write_project(project)
     path = project.folder / FILE_NAME
     content = json.loads(path.read_text())
-    content["identity"]["vessel"] = "\x00"
+    content["identity"]["vessel"] = "\x01"
     path.write_text(json.dumps(content))
     with pytest.raises(ProjectError, match=r"project\.json: Vessel: it holds a letter"):
         read_project(project.folder)
