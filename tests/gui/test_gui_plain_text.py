@@ -1,5 +1,7 @@
 """Texts of files are shown as text, whatever they look like."""
 
+import re
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QMessageBox
@@ -33,6 +35,9 @@ def test_labels_and_boxes_show_names_as_they_are(qtbot: QtBot) -> None:
 
 def test_no_label_of_the_window_guesses(adjusted: Driver) -> None:
     assert labels_that_guess(adjusted.window) == []
+    plain = [label for label in adjusted.window.findChildren(QLabel) if is_plain(label)]
+    assert len(plain) > 50
+    assert [label.text() for label in plain if re.search(r"</?\w+>", label.text())] == []
 
 
 @pytest.mark.parametrize("text", [PICTURE, "<b>L1</b>\nsecond", "plain & simple", "a < b"])

@@ -136,7 +136,9 @@ class ResultsPanel(QWidget):
         self.correlation = _table("correlation_table", 3)
         layout.addWidget(self.correlation)
         layout.addWidget(widgets.label("Convention", "heading"))
-        layout.addWidget(widgets.label(CONVENTION, "muted", wrap=True, name="convention"))
+        layout.addWidget(
+            widgets.label(CONVENTION, "muted", wrap=True, name="convention", rich=True)
+        )
         around.addStretch(1)
         return widgets.TallArea(outer, 380)
 
