@@ -88,7 +88,7 @@ def _nothing() -> None:
 
 
 def try_lock(handle: int) -> bool:
-    """Lock an open file; whether it was possible. Closing it unlocks it."""
+    """Try to lock an open file, and return whether it is locked; closing it unlocks it."""
     try:
         _lock(handle)
     except OSError:

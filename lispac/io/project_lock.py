@@ -1,4 +1,4 @@
-"""One program at a time changes a project; what another one wrote is not overwritten unseen."""
+"""Lock of a project folder, and the digest by which changes by other programs are detected."""
 
 import hashlib
 import math
