@@ -184,6 +184,10 @@ def _displaced(project: Project) -> Project:
     return replace(project, result=replace(project.result, surface=1e-5, offset=0.0071))
 
 
+def _not_flat(project: Project) -> Project:
+    return _noise(1.0, 2.4)(_unchecked("line", lines=2)(project))
+
+
 CASES = [
     ("contradicted_lever_x", True, _contradicted, "The data contradict the stated lever arm X: "
      "they want it 0.0951 m smaller (+/- 0.0041 m, w -23.2), which would move pitch by -"),
@@ -220,10 +224,9 @@ CASES = [
      "sightings contradict it: T1 on line L1 (off by 20.0 mm, w +5.5)."),
     ("line_jumped", False, _line_gone, "Every target is off on line L3"),
     ("strays", False, _sighting(strays=60), "60 stray points of"),
-    ("noise", False, _noise(1.0, 2.4), "T2 are 2.4 times the LiDAR noise: either T2 is rougher "
-     "than a plane"),
-    ("noise", False, _noise(2.2, 2.4), "T2 and T1 are up to 2.4 times the LiDAR noise: either "
-     "these targets are rough"),
+    ("noise", False, _noise(1.0, 2.4), "on T2: in effect 2.4 times the given noise. The surface"),
+    ("noise", False, _noise(2.2, 2.4), "on T2 and T1: in effect up to 2.4 times the given noise."),
+    ("not_flat", True, _not_flat, "on T2: in effect 2.4 times the given noise. The targets are"),
     ("another_surface", False, _noise(41.0, 1.0), "T1 are 41.0 times the LiDAR noise off"),
     ("one_facing", True, _facing(2), "All targets face the same way"),
     ("one_target", True, _facing(1), "T1 is the only target"),

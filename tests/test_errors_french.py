@@ -223,7 +223,7 @@ COMPOSED = [
     "T1 is the surface of T2 already: 40 % of the points of T2 on L1 are the same. Keep one of the "
     "two.",
     "Seen on 6 lines; without it the sigma of yaw would be 0.120° instead of 0.030°.",
-    "Flat over 2.3 m², seen on 6 lines, opposite ones among them, 3 m high. Poor on L1: Its RMS of "
+    "Plane of 2.3 m², seen on 6 lines, opposite ones among them, 3 m high. Poor on L1: Its RMS of "
     "12 mm is 4 times the noise: it is rough or not flat.",
     "quay: only 1 flat surface is seen on two lines or more (2 more are not flat, 1 more is seen "
     "poorly); set seeds on the targets, put up boards, or use the targetless method.",

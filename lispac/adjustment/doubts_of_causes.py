@@ -81,7 +81,9 @@ def cause_doubts(
     causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
     explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
     unexplained = [group for group in causes if group not in explained]
-    if _has_too_few_lines(result):
+    if any(each.code == "not_flat" for each in others):
+        found = []  # the reason has a name, and too few lines tell any other one from it
+    elif _has_too_few_lines(result):
         found = list(_not_located(unexplained))
     else:
         found = [
@@ -98,6 +100,7 @@ def cause_doubts(
     effects = {
         "surfaces_differ": float(result.surfaces.max()),
         "noise": result.rms_after,
+        "not_flat": result.rms_after,
         "another_surface": result.rms_after,
     }
     kept = [

@@ -126,19 +126,29 @@ def noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Doubt]:
             Cause.of_target(other[0].target),
         )
     rough = [t for t in worst_first if MUCH_NOISE < t.noise <= ANOTHER_SURFACE]
-    if len(rough) == 1:
-        target = rough[0]
-        shape = "sphere" if target.sphere else "plane"
-        what = f"of {target.target} are {times(target.noise)} the LiDAR noise"
-        why = f"{target.target} is rougher than a {shape}"
-    elif rough:
-        what, why = f"of {_noises(rough)} the LiDAR noise", "these targets are rough"
-    else:
+    if not rough:
+        return
+    found = (
+        "Residuals larger than the LiDAR noise, or correlated over the surface, on "
+        f"{some([target.target for target in rough])}: in effect "
+        f"{'' if len(rough) == 1 else 'up to '}{times(rough[0].noise)} the given noise. "
+    )
+    seen = result.observability
+    # With such lines the cross-checks, which enlarge the sigmas elsewhere, show nothing of it.
+    if seen is not None and any(each.kind == "line" for each in seen.unchecked):
+        yield Doubt(
+            "not_flat",
+            True,
+            f"{found}The targets are probably not flat, and these lines are too few to detect what "
+            "that does to the angles: they may be off by more than their sigmas. Add lines, or use "
+            "flat targets.",
+            Cause.of_target(rough[0].target),
+        )
         return
     yield Doubt(
         "noise",
         False,
-        f"The residuals {what}: either {why}, or the LiDAR sigma is stated too small. The sigmas "
+        f"{found}The surface is rough or curved, or the given LiDAR sigma is too small. The sigmas "
         "of the angles are computed with the noise found.",
         Cause.of_target(rough[0].target),
     )

@@ -31,6 +31,9 @@ DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Va
 ELSEWHERE = {"cross_check": "See the section on cross-checks."}
 """Where the report says more of a doubt, by its code."""
 
+LARGER_RESIDUALS = {"noise", "not_flat", "cause_not_located"}
+"""Codes beside which residuals that are small on average give no all-clear."""
+
 
 def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Caution, ...]:
     """Everything to be told, serious things first: doubts about the answer, and the report's own.
@@ -44,9 +47,10 @@ def cautions_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Cautio
 
 def told_of(content: ReportContent, doubts: Sequence[Doubt]) -> tuple[Told, ...]:
     """As `cautions_of`, each with its cause."""
+    larger = any(each.code in LARGER_RESIDUALS for each in doubts)
     found = [
         *_calibration(content),
-        *_fit(content),
+        *(each for each in _fit(content) if not (larger and each[0].code == "chi_square_low")),
         *_doubts(doubts),
         *_parameters(content),
         *_targets(content),
@@ -169,7 +173,9 @@ def _target(plane: PickedPlane, total: int) -> Iterator[Caution]:
         yield mild("left_out", f"{what} {plane.name} is left out.")
         return
     seen = len(plane.lines)
-    if seen < 2:
+    if plane.role == "target" and seen == 1:
+        pass  # told among the warnings of the project, as excluded
+    elif seen < 2:
         where = f"one line only ({plane.lines[0]})" if seen else "no line"
         so = (
             "it says nothing about the boresight"

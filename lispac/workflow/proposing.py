@@ -139,7 +139,7 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         name = next(name for name in apart if named[name] is plane)
         proposed.append(_target(survey, plane, f"V{number}", "validation", threshold))
         reasons[f"V{number}"] = (
-            f"Flat over {plane.area:.1f}\u00a0m², seen on {len(plane.found)} lines"
+            f"Plane of {plane.area:.1f}\u00a0m², seen on {len(plane.found)} lines"
             f"{', opposite ones among them' if _opposite(plane, survey) else ''}, "
             f"{plane.centre[2]:.0f} m high.{judged[name].words}"
         )
@@ -312,9 +312,9 @@ def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> str:
         if count
     ]
     why = f" ({', '.join(others)})" if others else ""
+    seen = f"only {few} flat surface{'' if few == 1 else 's'} {'is' if few == 1 else 'are'}"
     return (
-        f"{project.name}: only {few} flat surface{'' if few == 1 else 's'} "
-        f"{'is' if few == 1 else 'are'} seen on two lines or more{why}; "
+        f"{project.name}: {seen if few else 'no flat surface is'} seen on two lines or more{why}; "
         "set seeds on the targets, put up boards, or use the targetless method."
     )
 

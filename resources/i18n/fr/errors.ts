@@ -4353,20 +4353,20 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Vue sur {lines} lignes ; sans elle, l&apos;écart-type du {angle} serait de {then}° au lieu de {now}°.</translation>
     </message>
     <message>
-        <source>Flat over {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.</source>
-        <translation>Plane sur {area} m², vue sur {len} lignes, dont des opposées, à {centre} m de haut.</translation>
+        <source>Plane of {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.</source>
+        <translation>Plan de {area} m², vu sur {len} lignes, dont des opposées, à {centre} m de haut.</translation>
     </message>
     <message>
-        <source>Flat over {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.{plane}</source>
-        <translation>Plane sur {area} m², vue sur {len} lignes, dont des opposées, à {centre} m de haut.{plane}</translation>
+        <source>Plane of {area:n} m², seen on {len:n} lines, opposite ones among them, {centre:n} m high.{plane}</source>
+        <translation>Plan de {area} m², vu sur {len} lignes, dont des opposées, à {centre} m de haut.{plane}</translation>
     </message>
     <message>
-        <source>Flat over {area:n} m², seen on {len:n} lines, {centre:n} m high.</source>
-        <translation>Plane sur {area} m², vue sur {len} lignes, à {centre} m de haut.</translation>
+        <source>Plane of {area:n} m², seen on {len:n} lines, {centre:n} m high.</source>
+        <translation>Plan de {area} m², vu sur {len} lignes, à {centre} m de haut.</translation>
     </message>
     <message>
-        <source>Flat over {area:n} m², seen on {len:n} lines, {centre:n} m high.{plane}</source>
-        <translation>Plane sur {area} m², vue sur {len} lignes, à {centre} m de haut.{plane}</translation>
+        <source>Plane of {area:n} m², seen on {len:n} lines, {centre:n} m high.{plane}</source>
+        <translation>Plan de {area} m², vu sur {len} lignes, à {centre} m de haut.{plane}</translation>
     </message>
     <message>
         <source>, opposite ones among them</source>
@@ -4969,6 +4969,14 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>lacet {n}°</translation>
     </message>
     <message>
+        <source>{name:kept}: no flat surface is seen on two lines or more; set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : aucune surface plane n&apos;est vue sur deux lignes ou plus ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
+    </message>
+    <message>
+        <source>{name:kept}: no flat surface is seen on two lines or more ({others:list}); set seeds on the targets, put up boards, or use the targetless method.</source>
+        <translation>{name} : aucune surface plane n&apos;est vue sur deux lignes ou plus ({others}) ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
+    </message>
+    <message>
         <source>{name:kept}: only {few:n} flat surfaces are seen on two lines or more ({others:list}); set seeds on the targets, put up boards, or use the targetless method.</source>
         <translation>{name} : seules {few} surfaces planes sont vues sur deux lignes ou plus ({others}) ; placez des points initiaux sur les cibles, installez des panneaux ou utilisez la méthode sans cible.</translation>
     </message>
@@ -5429,10 +5437,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Matching the lines, round {a:n}</source>
         <translation>Appariement des lignes, tour {a}</translation>
-    </message>
-    <message>
-        <source>Two lines alone: the sigmas do not hold. On two real surveys of this kind the angles were off by 0.1 and 0.25 deg, several times what the sigmas said; add lines in other directions.</source>
-        <translation>Deux lignes seulement : les écarts-types ne tiennent pas. Sur deux levés réels de ce genre, les angles étaient faux de 0,1 et 0,25°, plusieurs fois ce que disaient les écarts-types ; ajoutez des lignes d&apos;autres directions.</translation>
     </message>
     <message>
         <source>The angles still moved by more than {setting:n} % of their sigmas in the last round of matching.</source>

@@ -2365,16 +2365,24 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>Les points de {targets} s&apos;écartent de leur surface jusqu&apos;à {times} fois le bruit du LiDAR et comptent peu : est-ce que ce sont les mêmes surfaces sur toutes les lignes ?</translation>
     </message>
     <message>
-        <source>The residuals of {target} are {times:n} times the LiDAR noise: either {same} is rougher than a plane, or the LiDAR sigma is stated too small.</source>
-        <translation>Les résidus de {target} valent {times} fois le bruit du LiDAR : soit {same} est plus rugueuse qu&apos;un plan, soit l&apos;écart-type du LiDAR est déclaré trop petit.</translation>
+        <source>Residuals larger than the LiDAR noise, or correlated over the surface, on {targets:list}: in effect {times:n} times the given noise.</source>
+        <translation>Résidus plus grands que le bruit du LiDAR, ou corrélés sur la surface, pour {targets} : soit {times} fois le bruit donné.</translation>
     </message>
     <message>
-        <source>The residuals of {target} are {times:n} times the LiDAR noise: either {same} is rougher than a sphere, or the LiDAR sigma is stated too small.</source>
-        <translation>Les résidus de {target} valent {times} fois le bruit du LiDAR : soit {same} est plus rugueuse qu&apos;une sphère, soit l&apos;écart-type du LiDAR est déclaré trop petit.</translation>
+        <source>Residuals larger than the LiDAR noise, or correlated over the surface, on {targets:list}: in effect up to {times:n} times the given noise.</source>
+        <translation>Résidus plus grands que le bruit du LiDAR, ou corrélés sur la surface, pour {targets} : soit jusqu&apos;à {times} fois le bruit donné.</translation>
     </message>
     <message>
-        <source>The residuals of {targets:list} are up to {times:n} times the LiDAR noise: either these targets are rough, or the LiDAR sigma is stated too small.</source>
-        <translation>Les résidus de {targets} valent jusqu&apos;à {times} fois le bruit du LiDAR : soit ces cibles sont rugueuses, soit l&apos;écart-type du LiDAR est déclaré trop petit.</translation>
+        <source>The surface is rough or curved, or the given LiDAR sigma is too small.</source>
+        <translation>La surface est rugueuse ou courbe, ou l&apos;écart-type donné du LiDAR est trop petit.</translation>
+    </message>
+    <message>
+        <source>The targets are probably not flat, and these lines are too few to detect what that does to the angles: they may be off by more than their sigmas.</source>
+        <translation>Les cibles ne sont probablement pas planes, et ces lignes sont trop peu nombreuses pour déceler l&apos;effet sur les angles : ils peuvent être faux de plus que leurs écarts-types.</translation>
+    </message>
+    <message>
+        <source>Add lines, or use flat targets.</source>
+        <translation>Ajoutez des lignes, ou utilisez des cibles planes.</translation>
     </message>
     <message>
         <source>Parts of the data disagree by more than chance explains: {parts:list}.</source>
