@@ -83,6 +83,7 @@ def lint_commands() -> list[tuple[str, list[str]]]:
         ("ruff check", [python, "-m", "ruff", "check", "."]),
         ("ruff format", [python, "-m", "ruff", "format", "--check", "."]),
         ("mypy", [python, "-m", "mypy"]),
+        ("translations", [python, "installer/catalogues.py", "check"]),
         ("import rules", [script("lint-imports"), "--no-logo", "--cache-dir", cache]),
     ]
 

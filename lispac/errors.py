@@ -4,19 +4,39 @@ A message is one plain sentence for a surveyor: what is wrong, where, and what t
 The command line prints it and exits with 1; the window shows it in a dialogue.
 """
 
-CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
-"""Characters of Unicode's category Cc, with what replaces them."""
+from lispac.message_texts import CONTROL, message_text
+from lispac.messages import Message
 
 
 class LispacError(Exception):
     """Something the user can act on.
 
-    Control characters in its message, which come from names of files and the like, are replaced by
-    spaces: it stays one line, and commands to a terminal remain text.
+    Parameters
+    ----------
+    message : Message or str
+        What is wrong. Its text is made when it is shown, in the language in use then; control
+        characters, which come from names of files and the like, are replaced by spaces in it.
     """
 
-    def __init__(self, message: str = "") -> None:
-        super().__init__(message.translate(CONTROL))
+    def __init__(self, message: Message | str = "") -> None:
+        super().__init__(message)
+        self._message = message
+
+    @property
+    def message(self) -> Message | None:
+        """The typed message; None where there is a text alone."""
+        return self._message if isinstance(self._message, Message) else None
+
+    @property
+    def code(self) -> str:
+        """Code of the message; empty where there is a text alone."""
+        return self.message.code if self.message is not None else ""
+
+    def __str__(self) -> str:
+        """Text of the message, in one line."""
+        if isinstance(self._message, Message):
+            return message_text(self._message)
+        return self._message.translate(CONTROL)
 
 
 class InputError(LispacError):
@@ -58,7 +78,7 @@ class RankDeficient(AdjustmentError):
 class TargetDisagrees(RankDeficient):
     """No point of a target agrees with the other targets and lines."""
 
-    def __init__(self, message: str, target: str = "") -> None:
+    def __init__(self, message: Message | str, target: str = "") -> None:
         super().__init__(message)
         self.target = target
 

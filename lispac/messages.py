@@ -7,11 +7,13 @@ text; no other code looks at the words of a message.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import Union
 
 from lispac.causes import Cause
 
-Value = str | int | float | Sequence[str]
-"""A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios) or names."""
+Value = Union[str, int, float, Sequence[str], "Message"]
+"""A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios), names, or a
+message that is part of this one."""
 
 
 class Level(StrEnum):
@@ -62,3 +64,24 @@ class Message:
     params: Mapping[str, Value] = field(default_factory=dict, hash=False)
     subject: Cause | None = None
     actions: tuple[Action, ...] = ()
+
+
+def error(
+    code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
+) -> Message:
+    """A message that a result cannot be used, or a file cannot be read."""
+    return Message(code, Level.ERROR, params, subject, tuple(actions))
+
+
+def warning(
+    code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
+) -> Message:
+    """A message that a result may be wrong or less precise than stated."""
+    return Message(code, Level.WARNING, params, subject, tuple(actions))
+
+
+def note(
+    code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
+) -> Message:
+    """A message that needs no action."""
+    return Message(code, Level.NOTE, params, subject, tuple(actions))

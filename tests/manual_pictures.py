@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QApplication, QWidget
 
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from tests.tutorial_steps import page, steps_of
 
 if TYPE_CHECKING:

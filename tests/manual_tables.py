@@ -42,7 +42,7 @@ from lispac.gui.viewing_actions import KEYS, Menu
 from lispac.installed import resource
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.manual_samples import assumed, samples
 

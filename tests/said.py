@@ -2,8 +2,8 @@
 
 import re
 
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 
 FRENCH = catalogue_of("fr")
 KEYS = [re.sub(r"\{\w+(:\w+)?\}", "\0", english) for english in FRENCH.exact]

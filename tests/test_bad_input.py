@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from lispac.cli.main import main
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 from tests.bad_files import DOUBTED, REFUSED, Scene
 from tests.bad_places import REMEDIES
 

@@ -292,7 +292,8 @@ def test_failing_apt_says_what_it_said() -> None:
 
 def test_test_command_runs_every_check_before_the_tests() -> None:
     names = [name for name, _ in bootstrap.check_commands("test", [])]
-    assert names == ["ruff check", "ruff format", "mypy", "import rules", "pytest"]
+    checks = ["ruff check", "ruff format", "mypy", "translations", "import rules"]
+    assert names == [*checks, "pytest"]
     assert [name for name, _ in bootstrap.check_commands("lint", [])] == names[:-1]
 
 

@@ -16,7 +16,7 @@ from bundling import build, desktop, licences, names, sizes, trimming
 
 import lispac
 from lispac.io.project_file import OPENER, OPENER_ENDING
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from tests.extras.clean_root import Root
 
 CHECKOUT = Path(__file__).resolve().parents[1]

@@ -18,8 +18,8 @@ from lispac.io.project_file import (
     read_unsaved,
     write_project,
 )
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 from tests.report_sample import sample_project
 
 Damage = Callable[[dict[str, Any]], object]

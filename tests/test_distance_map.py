@@ -12,12 +12,12 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
 from lispac.report.maps import map_figure, map_figure_of
 from lispac.report.tables import write_tables
 from lispac.report.text_width import width_of
 from lispac.report.validation_values import ValidationPlane
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 from lispac.validation.comparison import compare_plane
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.results import PlaneComparison

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from lispac.language.translation import Translator
+from lispac.reverse_translation.translation import Translator
 from tests.said import FRENCH, covered
 from tests.test_bad_input import rows
 from tests.told import PLACE, progress_texts, told

@@ -1,27 +1,136 @@
 """Messages: every code has a text, and messages come back from a project file as they were."""
 
+import ast
 import json
+import pickle
 from pathlib import Path
+from string import Formatter
+from typing import cast
+
+import catalogues
+import pytest
 
 from lispac.causes import Cause
 from lispac.doubles import data_warnings
+from lispac.errors import InputError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.values import decoded, encoded
-from lispac.message_texts import TEXTS, MessageFormatter
-from lispac.messages import Action, Level, Message
+from lispac.language import LANGUAGES, Plural, Template, in_language, text_of
+from lispac.message_texts import ACTIONS, TEXTS, TOPICS
+from lispac.messages import Action, Level, Message, error
 from tests.report_sample import sample_project
 
+ROOT = Path(__file__).resolve().parents[1]
+MAKERS = ("error", "warning", "note")
+SAMPLES = {"": "L1", "n": 3, "names": ("L1", "L2"), "choices": ("L1", "L2")}
+"""A value for each format specification; 0.25 for those of a quantity."""
 
-def test_si_values_are_formatted_in_the_units_of_the_text() -> None:
+
+def sample_params(template: Template) -> dict[str, object]:
+    """Values for all placeholders of a text."""
+    text = template if isinstance(template, str) else template.plural
+    found = {
+        name: SAMPLES.get(spec or "", 0.25) for _, name, spec, _ in Formatter().parse(text) if name
+    }
+    return found if isinstance(template, str) else {"count": 3, **found}
+
+
+def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> None:
     text = (
-        "{name}: {count:n} points, {step:ms} ms, {turn:deg.2} deg, {share:percent} %, {lines:names}"
+        "{name}: {count:n} points, {step:ms} ms, {turn:deg.2+} deg, {share:percent} %, "
+        "{lines:names}, {ways:choices}"
     )
     values = {
         "name": "L1", "count": 12_345, "step": 0.01, "turn": 0.0349065850, "share": 0.25,
-        "lines": ("L1", "L2", "L3"),
+        "lines": ("L1", "L2", "L3"), "ways": ("a", "b"),
     }  # fmt: skip
-    formatted = MessageFormatter().vformat(text, (), values)
-    assert formatted == "L1: 12,345 points, 10.0 ms, 2.00 deg, 25.0 %, L1, L2 and L3"
+    assert text_of(text, values) == (
+        "L1: 12,345 points, 10.0 ms, +2.00 deg, 25.0 %, L1, L2 and L3, a or b"
+    )
+    with in_language("fr"):
+        assert text_of(text, values) == (
+            "L1: 12\u202f345 points, 10,0 ms, +2,00 deg, 25,0 %, L1, L2 et L3, a ou b"
+        )
+
+
+def test_a_count_chooses_singular_or_plural_by_the_rules_of_the_language() -> None:
+    text = Plural("{count:n} point", "{count:n} points")
+    shown = [text_of(text, {"count": count}) for count in (0, 1, 2)]
+    assert shown == ["0 points", "1 point", "2 points"]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_message_can_be_shown_in_every_language(language: str) -> None:
+    with in_language(language):
+        for template in (*TEXTS.values(), *ACTIONS.values()):
+            text = text_of(template, sample_params(template))
+            assert text
+            assert not set("{}") & set(text)
+            assert (text == text_of_english(template)) == (language == "en"), text
+
+
+def text_of_english(template: Template) -> str:
+    with in_language("en"):
+        return text_of(template, sample_params(template))
+
+
+def test_no_code_is_in_two_topics() -> None:
+    assert len(TEXTS) == sum(len(topic.TEXTS) for topic in TOPICS)
+
+
+def test_catalogues_are_complete_and_up_to_date() -> None:
+    assert catalogues.main(["check"]) == 0
+
+
+def calls() -> list[tuple[str, ast.Call]]:
+    """Every call that makes a message with a code of its own, with its place."""
+    found = []
+    for path in (ROOT / "lispac").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if (
+                isinstance(node, ast.Call)
+                and isinstance(node.func, ast.Name)
+                and node.func.id in MAKERS
+                and node.args
+                and isinstance(node.args[0], ast.Constant)
+            ):
+                found.append((f"{path.name}:{node.lineno}", node))
+    return found
+
+
+def test_messages_are_made_with_the_parameters_of_their_texts() -> None:
+    for place, call in calls():
+        code = cast(ast.Constant, call.args[0]).value
+        assert code in TEXTS, place
+        given = {each.arg for each in call.keywords} - {"subject", "actions"}
+        if None not in given:  # no ** among them
+            assert given >= set(sample_params(TEXTS[code])), (place, code)
+
+
+def test_every_code_is_used() -> None:
+    used = {
+        node.value
+        for path in (ROOT / "lispac").rglob("*.py")
+        if path.parent.name != "message_texts"
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
+    assert [code for code in TEXTS if code not in used and not made_from_parts(code)] == []
+
+
+def made_from_parts(code: str) -> bool:
+    """Whether a code is made of its topic and a name: ``recovery.lever_arm_x``."""
+    return code.startswith(("audit.", "recovery."))
+
+
+def test_an_error_shows_its_message_in_the_language_in_use() -> None:
+    raised = InputError(error("cache.not_writable", folder="/a\nb", used="/c"))
+    assert raised.code == "cache.not_writable"
+    english = str(raised)
+    assert "/a b" in english
+    with in_language("fr"):
+        assert str(raised) != english
+    assert str(pickle.loads(pickle.dumps(raised))) == english
 
 
 def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
@@ -58,10 +167,3 @@ def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
     )  # fmt: skip
     assert "L2 and L3" in doubt.text
     assert "L4" not in doubt.text
-
-
-def test_every_text_names_only_units_that_are_known() -> None:
-    known = {"", "n", "names", *MessageFormatter.SCALES}
-    for code, text in TEXTS.items():
-        for _, _, spec, _ in MessageFormatter().parse(text):
-            assert (spec or "").partition(".")[0] in known, code

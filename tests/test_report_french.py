@@ -14,8 +14,6 @@ import pytest
 
 from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
 from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
@@ -27,6 +25,8 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
 from lispac.report.translated import drawn, names_of, translated
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.hidden import Shown
 from lispac.targets.quality import SightingQuality

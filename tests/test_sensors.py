@@ -17,9 +17,9 @@ from lispac.io.sensor_file import (
     ScannerFigures,
     read_pos_figures,
 )
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
 from lispac.project import Settings
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 from lispac.workflow import sensors
 from lispac.workflow.projects import open_project
 from tests.test_cli import answer, new_words, run

@@ -7,9 +7,9 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io import sbet
-from lispac.language.catalogue import Catalogue, Template, catalogue_of, made, messages
-from lispac.language.translation import Translator
 from lispac.report.settings_used import CONVENTION
+from lispac.reverse_translation.catalogue import Catalogue, Template, catalogue_of, made, messages
+from lispac.reverse_translation.translation import Translator
 from tests.said import FRENCH, covered
 from tests.told import told
 
@@ -133,7 +133,7 @@ def test_a_text_of_several_lines_is_said_where_one_entry_has_all_of_it() -> None
 
 
 def test_what_is_remembered_has_an_end(small: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.language.translation.MOST_KEPT", 3)
+    monkeypatch.setattr("lispac.reverse_translation.translation.MOST_KEPT", 3)
     say = Translator(small)
     for count in range(2, 12):
         assert say(f"It has only {count} points.") == f"Elle n'a que {count} points."

@@ -52,7 +52,8 @@ def test_it_says_what_the_report_says_in_its_words(tmp_path: Path) -> None:
         if caution.code not in TOLD_ONE_BY_ONE:
             codes.add(caution.code)
             assert told[caution.text][0] == caution.severity, caution
-    assert {"left_out", "single_line_targets", "not_validated", "simulated", "chi_square_high"} <= codes
+    expected = {"left_out", "single_line_targets", "not_validated", "simulated", "chi_square_high"}
+    assert expected <= codes
 
 
 def test_every_doubt_about_an_answer_is_in_it_with_its_cause(tmp_path: Path) -> None:

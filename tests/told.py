@@ -8,10 +8,12 @@ from pathlib import Path
 
 PLACE = "7"
 """Stands for what the program puts into a sentence."""
-FOR_PROGRAMMERS = {"ValueError", "AssertionError", "AttributeError"}
+FOR_PROGRAMMERS = {"ValueError", "AssertionError", "AttributeError", "FileNotFoundError"}
 """Errors that no user is shown."""
 NEVER_SHOWN = FOR_PROGRAMMERS | {"InputError", "ProjectError", "LispacError"}
 """Errors that stop a command and are kept nowhere."""
+OF_CATALOGUE = {"N_", "Plural", "gettext"}
+"""Calls whose texts the gettext catalogues hold."""
 NEVER_CALLED = {"progress", "step"}
 """What they are told is gone with the bar it stood beside."""
 _TWO_WORDS = re.compile(r"[^\W\d_]{2,} .*[^\W\d_]{2,}", re.DOTALL)
@@ -52,6 +54,8 @@ def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
         return
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
         return  # a docstring
+    if isinstance(node, ast.Call) and _name(node) in OF_CATALOGUE:
+        return
     if isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
         if at_once:
             for argument in (*node.args, *(each.value for each in node.keywords)):

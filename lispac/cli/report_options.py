@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lispac.cli.values import Commands, command, json_option
 from lispac.identity import HINTS, NAMES
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 
 
 def add(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -7,15 +7,16 @@ window is made anew then, around the same document.
 
 import re
 from collections.abc import Iterable
-from datetime import date, datetime
+from datetime import datetime
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QDate, QDateTime, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
+from lispac.language import short_datetime, use_language
 from lispac.project import Project
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 
 if TYPE_CHECKING:
     from lispac.design.plan import Plan
@@ -59,6 +60,7 @@ def speak(code: str) -> None:
     """
     global _own
     _own = Translator(catalogue_of(code), _own.names, spoken_numbers=True)
+    use_language(code)
     # English as numbers are written in files and reports, with a point and no grouping by habit
     QLocale.setDefault(QLocale(code) if code != "en" else QLocale.c())
     application = QApplication.instance()
@@ -138,17 +140,7 @@ def _said(piece: str) -> str:
 
 def say_moment(seconds: float) -> str:
     """A time of this computer, seconds since 1970, as the user's language writes it."""
-    when = datetime.fromtimestamp(seconds)
-    if language() == "en":
-        return f"{when:%Y-%m-%d %H:%M}"
-    return QLocale().toString(QDateTime(when), QLocale.FormatType.ShortFormat)
-
-
-def say_day(day: date) -> str:
-    """A day as the user's language writes it."""
-    if language() == "en":
-        return day.isoformat()
-    return QLocale().toString(QDate(day.year, day.month, day.day), QLocale.FormatType.ShortFormat)
+    return short_datetime(datetime.fromtimestamp(seconds))
 
 
 def say_all(texts: Iterable[str]) -> list[str]:

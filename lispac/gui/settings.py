@@ -10,7 +10,7 @@ from lispac.foreign_values import json_values
 from lispac.gui.colouring import SCALES, Scale
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from lispac.workflow.sensors import own_sensors
 
 MOST_RECENT = 8

@@ -4,10 +4,10 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from lispac.language.translation import Say, unchanged
 from lispac.report.absolute_values import Absolute
 from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
+from lispac.reverse_translation.translation import Say, unchanged
 
 
 def absolute_figure(found: Absolute, say: Say = unchanged, figure: Figure | None = None) -> Figure:

@@ -8,8 +8,8 @@ from matplotlib.dates import AutoDateLocator, ConciseDateFormatter, date2num
 from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
-from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
+from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.control_chart import Charted, limits
 from lispac.validation.repeatability import NORMAL_95
 

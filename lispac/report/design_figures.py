@@ -10,9 +10,9 @@ from lispac.adjustment.result import ANGLES
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Step
-from lispac.language.translation import Say, unchanged
 from lispac.report.design_words import NAMES
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
+from lispac.reverse_translation.translation import Say, unchanged
 
 BEYOND = 4.0
 """Foretold sigmas to either side that errors are drawn to; what is beyond counts at the border."""

@@ -21,8 +21,6 @@ from matplotlib.transforms import offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Say, Translator, unchanged
 from lispac.report.values import (
     Line,
     PickedPlane,
@@ -30,6 +28,8 @@ from lispac.report.values import (
     SightingFit,
 )
 from lispac.report.wording import parameter
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Say, Translator, unchanged
 
 Array = NDArray[np.float64]
 

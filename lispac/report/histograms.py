@@ -9,10 +9,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 from numpy.typing import ArrayLike, NDArray
 
-from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
 from lispac.report.validation_values import ValidationPlane
+from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.bins import merged
 from lispac.validation.results import PlaneComparison
 

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.figure import Figure
 
-from lispac.language.translation import Say, unchanged
 from lispac.report.figures import INK, SMALL, TEXT, blank, dress
+from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"

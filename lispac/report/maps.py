@@ -8,10 +8,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from lispac.language.translation import Say, unchanged
 from lispac.report.figures import INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.text_width import cut, fitted
 from lispac.report.validation_values import Mapped, ValidationPlane
+from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.results import PlaneComparison
 
 Array = NDArray[np.float64]

@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from lispac.language.translation import Say, unchanged
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.validation_values import Against, ValidationPlane
+from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.results import PlaneComparison
 
 SHARES = ("median", "p95")

@@ -3,8 +3,6 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from lispac.language.catalogue import catalogue_of
-from lispac.language.translation import Translator
 from lispac.report.blocks import (
     Block,
     Bullets,
@@ -18,6 +16,8 @@ from lispac.report.blocks import (
     Table,
 )
 from lispac.report.values import ReportContent
+from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.translation import Translator
 
 POINT = "Numbers are written with a decimal point, as other programs take them."
 

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.adjustment.shown import capitalised, parameter
-from lispac.language.translation import Say, unchanged
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank, dress
+from lispac.reverse_translation.translation import Say, unchanged
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, Visibility
 

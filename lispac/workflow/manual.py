@@ -17,7 +17,7 @@ from pathlib import Path
 from lispac.caches import MANUAL, MANUAL_MARK, cache_place
 from lispac.errors import InputError
 from lispac.installed import resource
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from lispac.progress import Progress, no_progress
 
 SHIPPED = "html"
@@ -39,7 +39,7 @@ def manual_page(
 
     Parameters
     ----------
-    language : of `lispac.language.catalogue.LANGUAGES`
+    language : of `lispac.language.LANGUAGES`
     page : name of the page, without ending; one that this language lacks is given in English
     sources : Path or None
         Folder with ``conf.py``, ``en`` and ``fr``; None for the manual of this installation.

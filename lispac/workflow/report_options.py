@@ -7,8 +7,8 @@ from typing import Any
 from lispac.errors import InputError
 from lispac.foreign_values import Unfit, toml_values
 from lispac.io.files import require_file
-from lispac.language.catalogue import catalogue_of
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
+from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.survey.conventions.systems import system
 
 KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")

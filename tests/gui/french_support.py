@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui.language import pieces
-from lispac.language.catalogue import catalogue_of
+from lispac.reverse_translation.catalogue import catalogue_of
 
 FRENCH = catalogue_of("fr")
 SAID = {*FRENCH.exact.values()}

@@ -34,7 +34,7 @@ from lispac.gui.panels.patch_test import PatchTestPanel
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.overlay import free_place, right_neighbour
 from lispac.identity import Identity
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import Visibility, visibility

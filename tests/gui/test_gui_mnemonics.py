@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtWidgets import QMenu, QMenuBar
 
 from lispac.gui.language import speak
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from tests.gui.design_support import opened_by_keys
 from tests.gui.support import Demo, Driver
 

@@ -12,7 +12,7 @@ from lispac.gui import theme
 from lispac.gui.language import speak
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from lispac.gui.viewport.recording import RecordingViewport
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
 
 SMALL, LARGE = (1366, 740), (1600, 960)

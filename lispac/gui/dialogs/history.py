@@ -7,9 +7,10 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.language import say, say_day
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.language import short_date
 from lispac.workflow.history import Entry, History, verdict
 
 AT = 50.0
@@ -80,7 +81,7 @@ def _row(entry: Entry) -> Row:
     charted = entry.charted
     found, change = charted.calibration, charted.change
     angles, sigmas = np.degrees(found.boresight), np.degrees(found.sigma)
-    cells = [Cell(entry.day.isoformat(), shown=say_day(entry.day)), Cell(found.name)]
+    cells = [Cell(entry.day.isoformat(), shown=short_date(entry.day)), Cell(found.name)]
     for angle, sigma in zip(angles, sigmas, strict=True):
         cells += [number(angle, "+.4f"), number(sigma, ".4f")]
     if change is None:

@@ -15,7 +15,7 @@ from lispac.gui.panels.report import OTHERS
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.units import ANGLES, LENGTHS
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from lispac.workflow.sensors import library
 
 MILLION = 1_000_000

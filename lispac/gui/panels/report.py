@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.gui.language import language, say
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
-from lispac.language.catalogue import LANGUAGES
+from lispac.language import LANGUAGES
 from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import LISPAC, STATUS_WORDS, SYSTEMS
 from lispac.workflow.report_options import report_options

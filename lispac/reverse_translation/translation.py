@@ -9,7 +9,8 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from lispac.language.catalogue import Catalogue, Template
+from lispac.language import is_translated
+from lispac.reverse_translation.catalogue import Catalogue, Template
 
 MOST_KEPT = 20_000
 """Texts remembered with what was said: a window shows new numbers all day long."""
@@ -83,8 +84,8 @@ class Translator:
 
     def __call__(self, text: str) -> str:
         """The text in the other language; what is a name besides counts as a text."""
-        if not self.catalogue.exact:
-            return text  # English, as it is made
+        if not self.catalogue.exact or is_translated(text):
+            return text
         if text not in self._said:
             said = self._whole(text.replace("\u200b", ""))
             self.missed(said.unknown)

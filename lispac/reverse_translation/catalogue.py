@@ -27,9 +27,7 @@ from xml.etree import ElementTree
 
 from lispac.errors import InputError
 from lispac.installed import resource
-
-LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
-"""What each is called by those who speak it, by its code; texts are made in the first."""
+from lispac.language import LANGUAGES
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")

@@ -1,0 +1,161 @@
+"""Translations: extract the English texts, bring the catalogues up to date, compile them.
+
+    python installer/catalogues.py update [--take FILE.po ...]
+    python installer/catalogues.py check
+
+`update` writes ``resources/i18n/CODE/LC_MESSAGES/lispac.po`` and ``lispac.mo``: new texts get an
+empty translation, which FILE.po may supply, and removed texts go. `check` ends with 1 where a text
+has no translation, its placeholders differ, or a file is out of date. The compiled files are
+committed: a checkout runs without a build.
+"""
+
+import argparse
+import re
+import sys
+from datetime import UTC, datetime
+from io import BytesIO
+from pathlib import Path
+from string import Formatter
+
+from babel.messages.catalog import Catalog, Message
+from babel.messages.extract import extract_from_dir
+from babel.messages.mofile import write_mo
+from babel.messages.pofile import read_po, write_po
+
+ROOT = Path(__file__).resolve().parents[1]
+CODES = ("fr",)
+KEYWORDS = {"N_": None, "gettext": None, "_": None, "Plural": (1, 2)}
+
+TYPOGRAPHY = (
+    ("'", "\u2019"),
+    (" ([:»%])", "\u00a0\\1"),
+    (" ([;!?])", "\u202f\\1"),
+    ("« ", "«\u00a0"),
+    (r"([\d}]) (mm|cm|m|s|ms|Hz)\b", "\\1\u00a0\\2"),
+)
+"""French typography: what replaces what in a translation."""
+
+EPOCH = datetime(2026, 1, 1, tzinfo=UTC)
+"""One date for all catalogues, so that a file changes with its texts alone."""
+
+HEADER = "# Translations of LISPAC; installer/catalogues.py brings this file up to date."
+
+
+def path_of(code: str) -> Path:
+    """The catalogue of a language, to be edited."""
+    return ROOT / "resources" / "i18n" / code / "LC_MESSAGES" / "lispac.po"
+
+
+def extracted() -> Catalog:
+    """The English texts of the program, sorted by where they are."""
+    found = Catalog(project="LISPAC", charset="utf-8")
+    for file, _, text, comments, _ in extract_from_dir(ROOT / "lispac", keywords=KEYWORDS):
+        if text:
+            place = f"lispac/{Path(file).as_posix()}"
+            # Numbers of lines would change with every edit.
+            found.add(text, locations=[(place, 0)], auto_comments=comments)
+    return found
+
+
+def updated(code: str, take: list[Path]) -> Catalog:
+    """The catalogue of a language with the texts of the program."""
+    catalogue = read(path_of(code))
+    catalogue.update(extracted(), no_fuzzy_matching=True)
+    catalogue.obsolete.clear()
+    for path in take:
+        supplied = read(path)
+        for message in catalogue:
+            other = supplied.get(message.id) if message.id else None
+            if other is not None and is_translated(other):
+                message.string = other.string
+    for message in catalogue:
+        message.flags.discard("python-format")
+        if message.id and message.string:
+            strings = tuple(map(typeset, strings_of(message)))
+            message.string = strings if isinstance(message.id, tuple) else strings[0]
+    return catalogue
+
+
+def read(path: Path) -> Catalog:
+    """A catalogue from a file; an empty French one where there is none."""
+    if not path.exists():
+        return Catalog(locale="fr")
+    with path.open("rb") as file:
+        return read_po(file, locale="fr")
+
+
+def typeset(text: str) -> str:
+    """A translation with the signs and blanks of French typography."""
+    for pattern, by in TYPOGRAPHY:
+        text = re.sub(pattern, by, text)
+    return text
+
+
+def strings_of(message: Message) -> tuple[str, ...]:
+    """The translation of a text, or those of its singular and plural."""
+    return (message.string,) if isinstance(message.string, str) else tuple(message.string or ())
+
+
+def is_translated(message: Message) -> bool:
+    """Whether a text and its plural have translations."""
+    return bool(strings_of(message)) and all(strings_of(message))
+
+
+def problems(catalogue: Catalog) -> list[str]:
+    """Texts without a translation, and translations with other placeholders."""
+    found = []
+    for message in catalogue:
+        if not message.id:
+            continue
+        english = message.id if isinstance(message.id, str) else tuple(message.id)[1]
+        if not is_translated(message):
+            found.append(f"no translation: {english!r}")
+            continue
+        for string in strings_of(message):
+            # The singular may leave out the count.
+            if places(string) != places(english) and places(string) | {"count"} != places(english):
+                found.append(f"other placeholders: {english!r}")
+    return found
+
+
+def places(text: str) -> set[str]:
+    """Names of the placeholders of a text."""
+    return {name for _, name, _, _ in Formatter().parse(text) if name}
+
+
+def written(catalogue: Catalog) -> tuple[bytes, bytes]:
+    """Contents of the .po and the .mo file."""
+    catalogue.creation_date = catalogue.revision_date = EPOCH
+    catalogue.project, catalogue.header_comment, catalogue.fuzzy = "LISPAC", HEADER, False
+    catalogue.copyright_holder = catalogue.last_translator = catalogue.language_team = "LISPAC"
+    catalogue.msgid_bugs_address = ""
+    po, mo = BytesIO(), BytesIO()
+    write_po(po, catalogue, width=100, sort_by_file=True, omit_header=False, include_lineno=False)
+    write_mo(mo, catalogue)
+    return po.getvalue(), mo.getvalue()
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run one command."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("command", choices=("update", "check"))
+    parser.add_argument("--take", nargs="+", type=Path, default=[], metavar="FILE.po")
+    arguments = parser.parse_args(argv)
+    failed = False
+    for code in CODES:
+        catalogue = updated(code, arguments.take)
+        po, mo = written(catalogue)
+        files = {path_of(code): po, path_of(code).with_suffix(".mo"): mo}
+        if arguments.command == "update":
+            for path, content in files.items():
+                path.write_bytes(content)
+        stale = [path for path, content in files.items() if path.read_bytes() != content]
+        found = [f"out of date: {path.relative_to(ROOT)}" for path in stale]
+        found += problems(catalogue)
+        print("\n".join(f"{code}: {each}" for each in found) or f"{code}: up to date")
+        failed = failed or bool(found)
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,219 @@
+"""Texts, numbers and dates in the language of the user.
+
+Texts come from gettext catalogues (``resources/i18n/CODE/LC_MESSAGES/lispac.po``), keyed by the
+English text; ``installer/catalogues.py`` extracts and compiles them with Babel. Babel formats
+numbers, lists and dates.
+
+Placeholders of a text are named and may have a format specification ``unit[.digits][+]``:
+
+- ``n``: a count
+- ``m``, ``mm``, ``s``, ``ms``, ``hz``: an SI value in that unit, ``deg`` one in radians,
+  ``percent`` a ratio, ``x`` a number without a unit; three significant digits where no number of
+  decimals follows, and ``+`` for a sign in any case. The unit itself is part of the text.
+- ``names``: names joined by commas and "and"; ``choices``: joined by "or"
+- no specification: a name, or another message, as it is
+"""
+
+import gettext as gnu
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from datetime import date, datetime
+from functools import lru_cache
+from math import degrees, floor, isfinite, log10
+from pathlib import Path
+from string import Formatter
+from typing import Any
+
+LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
+"""Name of each language in itself, by its code."""
+
+_LOCALES: Mapping[str, str] = {"en": "en_GB", "fr": "fr_FR"}
+_SCALES: Mapping[str, float] = {
+    "m": 1.0, "mm": 1e3, "s": 1.0, "ms": 1e3, "hz": 1.0, "deg": degrees(1.0), "percent": 100.0,
+    "x": 1.0,
+}  # fmt: skip
+_SIGNIFICANT = 3
+MAX_REMEMBERED = 20_000
+_translated: dict[str, None] = {}
+
+_default = "en"
+_chosen: ContextVar[str | None] = ContextVar("language", default=None)
+
+
+@dataclass(frozen=True)
+class Plural:
+    """An English text for one thing and for several; the parameter ``count`` chooses."""
+
+    singular: str
+    plural: str
+
+
+Template = str | Plural
+
+
+def use_language(code: str) -> None:
+    """Set the language of the program.
+
+    Raises
+    ------
+    ValueError
+        Where there is no such language.
+    """
+    global _default
+    if code not in LANGUAGES:
+        raise ValueError(f"no language {code!r}: choose one of {', '.join(LANGUAGES)}")
+    _default = code
+
+
+def current_language() -> str:
+    """Code of the language in use: ``en``."""
+    return _chosen.get() or _default
+
+
+@contextmanager
+def in_language(code: str) -> Iterator[None]:
+    """Use another language in a block of code and in this thread only.
+
+    Raises
+    ------
+    ValueError
+        Where there is no such language.
+    """
+    if code not in LANGUAGES:
+        raise ValueError(f"no language {code!r}: choose one of {', '.join(LANGUAGES)}")
+    token = _chosen.set(code)
+    try:
+        yield
+    finally:
+        _chosen.reset(token)
+
+
+def N_(text: str) -> str:  # noqa: N802  (the name that gettext gives it)
+    """Mark a text for extraction that is translated where it is shown."""
+    return text
+
+
+def gettext(template: Template, /, **params: Any) -> str:
+    """Translate a text and fill its placeholders.
+
+    Parameters
+    ----------
+    template : str or Plural
+        English, as in the catalogue.
+    **params
+        Values of the placeholders in SI units. A literal brace of a text without any stays.
+    """
+    return text_of(template, params)
+
+
+def text_of(template: Template, params: Mapping[str, Any]) -> str:
+    """As `gettext`, with the parameters in a mapping."""
+    catalogue = _catalogue(current_language())
+    if isinstance(template, Plural):
+        text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
+    else:
+        text = catalogue.gettext(template) if template else ""
+    text = _FORMATTER.vformat(text, (), params) if params else text
+    if current_language() != "en":
+        _translated[text] = None
+        if len(_translated) > MAX_REMEMBERED:
+            del _translated[next(iter(_translated))]
+    return text
+
+
+def is_translated(text: str) -> bool:
+    """Whether a text has been made by `gettext` in another language than English.
+
+    The reverse translation leaves such a text as it is.
+    """
+    return text in _translated
+
+
+def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
+    """A number as the language writes it; three significant digits by default."""
+    from babel.numbers import format_decimal
+
+    if not isfinite(value):
+        return f"{value:+g}" if sign else f"{value:g}"
+    if decimals is None:
+        decimals = _significant_decimals(value)
+    places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"
+    pattern = f"+{places};-{places}" if sign else places
+    return str(format_decimal(value, pattern, locale=_LOCALES[current_language()]))
+
+
+def joined(names: Sequence[str], *, choice: bool = False) -> str:
+    """Names as in a sentence: ``a, b and c``, or ``a, b or c``."""
+    from babel.lists import format_list
+
+    locale = _LOCALES[current_language()]
+    return format_list(list(names), style="or" if choice else "standard", locale=locale)
+
+
+def short_datetime(when: datetime) -> str:
+    """A date with the time of day, as the language writes it."""
+    from babel.dates import format_datetime
+
+    if current_language() == "en":
+        return f"{when:%Y-%m-%d %H:%M}"
+    return format_datetime(when, "short", locale=_LOCALES[current_language()])
+
+
+def short_date(day: date) -> str:
+    """A date as the language writes it."""
+    from babel.dates import format_date
+
+    if current_language() == "en":
+        return day.isoformat()
+    return format_date(day, "short", locale=_LOCALES[current_language()])
+
+
+class TextFormatter(Formatter):
+    """Formats SI values in the units that a surveyor reads, by the specifications above."""
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """Format one value by its specification.
+
+        Raises
+        ------
+        ValueError
+            Where there is no such specification.
+        """
+        if format_spec in ("names", "choices"):
+            names = [value] if isinstance(value, str) else value
+            return joined([str(each) for each in names], choice=format_spec == "choices")
+        if format_spec == "n":
+            return number(int(value), 0)
+        bare = format_spec.removesuffix("+")
+        unit, _, digits = bare.partition(".")
+        if unit in _SCALES:
+            scaled = float(value) * _SCALES[unit]
+            return number(scaled, int(digits) if digits else None, sign=format_spec.endswith("+"))
+        if format_spec:
+            raise ValueError(f"no format specification {format_spec!r}")
+        return str(value)
+
+
+_FORMATTER = TextFormatter()
+
+
+@lru_cache
+def _catalogue(code: str) -> gnu.NullTranslations:
+    if code == "en":
+        return gnu.NullTranslations()
+    package = Path(__file__).parent
+    # A wheel has the resources in the package, a checkout beside it.
+    for folder in (package, package.parent):
+        path = folder / "resources" / "i18n" / code / "LC_MESSAGES" / "lispac.mo"
+        if path.exists():
+            with path.open("rb") as file:
+                return gnu.GNUTranslations(file)
+    raise FileNotFoundError(f"the catalogue of {code!r} is missing from this installation")
+
+
+def _significant_decimals(value: float) -> int:
+    if value == 0:
+        return 0
+    return max(0, _SIGNIFICANT - 1 - floor(log10(abs(value))))
