@@ -32,6 +32,11 @@ class LispacError(Exception):
         """Code of the message; empty where there is a text alone."""
         return self.message.code if self.message is not None else ""
 
+    @property
+    def reason(self) -> Message | str:
+        """The message, or the text alone, as a parameter of another message."""
+        return self._message
+
     def __str__(self) -> str:
         """Text of the message, in one line."""
         if isinstance(self._message, Message):

@@ -14,6 +14,27 @@ from lispac.cli.console import UsageError
 from lispac.cli.parser import build_parser
 from lispac.cli.values import plain_numbers
 from lispac.errors import Cancelled, LispacError
+from lispac.message_texts import message_text
+
+
+def run(argv: Sequence[str] | None = None) -> None:
+    """Run one command.
+
+    Raises
+    ------
+    LispacError
+        What stops the command, with its message.
+    UsageError
+        Where options contradict each other.
+    """
+    parser = build_parser()
+    arguments = parser.parse_args(plain_numbers(sys.argv[1:] if argv is None else argv))
+    # Its own module only, after parsing: --version and --help answer without NumPy and Numba, and
+    # no command waits for what another needs.
+    if (message := caches.use(os.environ)) is not None:
+        print(f"note: {message_text(message)}", file=sys.stderr)
+    module = import_module(f"lispac.cli.{arguments.command}")
+    getattr(module, arguments.command)(arguments)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -21,17 +42,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):  # a terminal may lack letters of a name
             stream.reconfigure(errors="backslashreplace")
-    parser = build_parser()
-    arguments = parser.parse_args(plain_numbers(sys.argv[1:] if argv is None else argv))
     try:
-        # Its own module only, after parsing: --version and --help answer without NumPy and
-        # Numba, and no command waits for what another needs.
-        if (message := caches.use(os.environ)) is not None:
-            from lispac.message_texts import message_text
-
-            print(f"note: {message_text(message)}", file=sys.stderr)
-        module = import_module(f"lispac.cli.{arguments.command}")
-        getattr(module, arguments.command)(arguments)
+        run(argv)
     except UsageError as error:
         print(f"lispac: {error}", file=sys.stderr)
         return 2
