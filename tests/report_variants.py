@@ -21,7 +21,7 @@ SENTENCES = (
     "The weakest direction is yaw together with roll and pitch, known to 0.038 deg; the strongest "
     "is roll, known to 0.016 deg (1 sigma).",
     "Pitch is seen mainly by line L3: without L3 its sigma would be 0.040 instead of 0.029 deg.",
-    "Roll hangs on no single line.",
+    "Roll does not depend on any single line.",
 )
 """As `lispac.adjustment.observability` makes them; those of the sample are made up."""
 NOTES = (

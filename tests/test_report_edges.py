@@ -124,7 +124,7 @@ def test_what_the_lines_see_is_left_out_where_it_was_not_worked_out(project: Pro
     assert project.result is not None
     seen = project.result.observability
     assert seen is not None
-    head = "1 sigma of the angles if a line had not been sailed"
+    head = "1 sigma of the angles with one line omitted"
     without = replace(seen, sigma_without_line={})
     cases = ((seen, True, True), (without, True, False), (None, False, False))
     for observability, told, has_table in cases:

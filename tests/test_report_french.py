@@ -255,7 +255,7 @@ def test_names_that_are_words_stay(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "before", target="Points")
     document = document_of(content_of_sample(project), {}, FRENCH)
     tables = {b.title: b for s in document.sections for b in s.blocks if b.kind == "table"}
-    fits = tables["Ajustement de chaque vue à la surface de sa cible"]
+    fits = tables["Ajustement de chaque observation à la surface de sa cible"]
     assert fits.rows[0][0] == "Points"
     assert document.project == "before"
 
@@ -289,7 +289,7 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     with zipfile.ZipFile(tmp_path / "r.zip") as archive:
         first = archive.namelist()[0]
         assert first == "01-renseignements-sur-le-leve.csv"
-        (lines,) = (n for n in archive.namelist() if n.endswith("-lignes.csv"))
+        (lines,) = (n for n in archive.namelist() if re.fullmatch(r"\d+-lignes\.csv", n))
         rows = list(csv.reader(archive.read(lines).decode("utf-8-sig").splitlines()))
     assert rows[0] == ["Ligne", "Fichier", "Cap (°)", "Points"]
     assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]

@@ -269,7 +269,8 @@ MODULES: dict[str, set[str] | None] = {
 NOT_SAID = {
     "worst direction",  # a key
     "Comparing 7 and 7 on 7",  # beside a progress bar
-    "not tested: the sigmas of thesis mode are too small",  # the window's and the command line's
+    # the window's and the command line's
+    "not tested: with uncorrelated POS errors the sigmas are too small",
     "upper right", "outside right upper", "outside upper right", "offset points",  # matplotlib's
 }  # fmt: skip
 """Strings of these modules that no report says."""

@@ -341,7 +341,7 @@ def _seen_by(sigma: Array, without: dict[str, Array | None]) -> Sequence[str]:
                 f"sigma would be {then:.{places}f} instead of {now:.{places}f} deg."
             )
         elif len(grown) == len(without):
-            said.append(f"{angle.capitalize()} hangs on no single line.")
+            said.append(f"{angle.capitalize()} does not depend on any single line.")
     return said
 
 

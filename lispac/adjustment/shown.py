@@ -111,7 +111,7 @@ def significance_words(estimate: Estimate) -> str:
     """Whether a value earns its place; empty where there is none."""
     if estimate.value is None:
         return ""
-    untested = "not tested: the sigmas of thesis mode are too small"
+    untested = "not tested: with uncorrelated POS errors the sigmas are too small"
     return {True: "significant", False: "not significant", None: untested}[estimate.significant]
 
 

@@ -401,7 +401,7 @@ def print_steep(result: AdjustmentResult) -> None:
 def _model_words(result: AdjustmentResult) -> str:
     model = result.model
     if not model.correlated:
-        return f"independent (thesis mode), loss {model.loss}"
+        return f"uncorrelated (classical), loss {model.loss}"
     return (
         f"correlated over {model.position_time:g} s (position) and {model.attitude_time:g} s "
         f"(attitude), loss {model.loss}"

@@ -85,14 +85,14 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--subsample",
         type=not_negative,
         metavar="METRES",
-        help="points closer than this are averaged, in thesis mode one of them kept (default "
-        "0.10; 0 keeps all)",
+        help="points closer than this are averaged; with independent POS errors one of them is "
+        "kept (default 0.10; 0 keeps all)",
     )
     estimate.add_argument(
         "--pos-errors",
         choices=("independent", "correlated"),
         help="whether neighbouring points share their POS error (correlated, the default) or each "
-        "has its own (independent: thesis mode, whose sigmas are too small)",
+        "has its own (independent: the classical model, whose sigmas are too small)",
     )
     for name, default in (("position", 300), ("attitude", 600)):
         estimate.add_argument(
@@ -112,7 +112,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     estimate.add_argument(
         "--loss",
         choices=("auto", "none", "huber", "tukey"),
-        help="weights of stray points (default auto: tukey, in thesis mode none)",
+        help="weights of outliers (default auto: tukey, with independent POS errors none)",
     )
     estimate.add_argument(
         "--estimate",

@@ -1,4 +1,4 @@
-"""``lispac look``: what a file is, what its reader assumes, and what to doubt."""
+"""``lispac look``: what a file is, what is assumed, and any warnings."""
 
 from argparse import Namespace
 from collections.abc import Sequence

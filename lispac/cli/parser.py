@@ -90,7 +90,7 @@ def _locate(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _look(commands: "Commands[argparse.ArgumentParser]") -> None:
-    look = command(commands, "look", "say what a file is, what it assumes, and what to doubt")
+    look = command(commands, "look", "say what a file is, what is assumed, and any warnings")
     look.add_argument("file", type=Path, metavar="FILE", help="trajectory, accuracies or points")
     look.add_argument(
         "--quick", action="store_true", help="look at the first points only, not at all of them"

@@ -67,7 +67,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     )  # fmt: skip
     pick.add_argument(
         "--max-tilt", type=positive, metavar="DEG", default=15.0,
-        help="largest angle between a target in one line and in another (default 15)",
+        help="largest angle between a target's normals in two lines (default 15)",
     )  # fmt: skip
     pick.add_argument(
         "--stop", type=positive, metavar="P", default=0.98,

@@ -1,4 +1,4 @@
-"""``lispac validate``: the lines against each other on planes that took no part."""
+"""``lispac validate``: the lines against each other on planes not used in the adjustment."""
 
 from argparse import Namespace
 from collections.abc import Mapping

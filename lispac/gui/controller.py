@@ -298,7 +298,7 @@ class Controller(QObject):
                 progress=progress, **how,
             )  # fmt: skip
 
-        task = self._runner.run(f"Seeking {name} on {line or 'every line'}", work, self.offer)
+        task = self._runner.run(f"Searching for {name} on {line or 'every line'}", work, self.offer)
         self.based_on_project(task)
 
     def _may_seed(self) -> bool:

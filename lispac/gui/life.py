@@ -158,7 +158,9 @@ class ProjectLife(QObject):
             menu.addAction(say("No project yet")).setEnabled(False)
         else:
             menu.addSeparator()
-            menu.addAction(say("Forget these")).triggered.connect(self._settings.forget_recent)
+            menu.addAction(say("Clear recent projects")).triggered.connect(
+                self._settings.forget_recent
+            )
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight; asks where a plane was found and not yet accepted."""

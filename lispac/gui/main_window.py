@@ -287,7 +287,7 @@ class MainWindow(QMainWindow):
         self.scene.placing_wanted.connect(lambda: self.computing.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._seeded)
         self.viewport.signals.missed.connect(
-            lambda: self._note("No point there: Ctrl+click right on a target")
+            lambda: self._note("No point under the cursor. Ctrl+click on a target.")
         )
 
     def _note(self, text: str) -> None:

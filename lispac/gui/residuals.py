@@ -1,8 +1,8 @@
 """Colours of the points of sightings by their distance from the surface.
 
-Of a target it is the adjusted one. Of a validation plane, which took no part, it is the plane
-through all lines as they are shown: before the calibration its lines differ in colour, after it
-they share one.
+Of a target it is the adjusted one. Of a validation plane, which was not used in the adjustment, it
+is the plane through all lines as they are shown: before the calibration its lines differ in colour,
+after it they share one.
 """
 
 from collections.abc import Iterable, Mapping

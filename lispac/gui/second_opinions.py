@@ -51,7 +51,7 @@ class SecondOpinions(QObject):
         def done(asked: Asked) -> None:
             found, refused = asked
             if found is not project:
-                self._document.edit("second opinions", found)
+                self._document.edit("alternative methods", found)
             self.compare(refused)
 
         task = self._runner.run("Asking other methods", work, done, shows=True)

@@ -117,6 +117,6 @@ def _in_words(wishes: Wishes) -> str:
     """How the seeds of a list are sought."""
     things = "planes" if wishes.shape == "plane" else "spheres, validation planes"
     return (
-        f"All are sought as {things} on every line, with search radius, threshold and the rest as "
-        "set in step 2."
+        f"All are searched for as {things} on every line, with search radius, threshold and the "
+        "rest as set in step 2."
     )

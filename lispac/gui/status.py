@@ -115,7 +115,7 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
             ready=True,
         )
     if len(used) < 2:
-        return StepStatus("warning", f"{sentence}: a second is missing", SINGLE, ready=True)
+        return StepStatus("warning", f"{sentence}: second target required", SINGLE, ready=True)
     if project.result is None and face_one_way(project, survey):
         return StepStatus("warning", sentence, ONE_FACING, ready=True)
     advice = (

@@ -57,7 +57,7 @@ VIEW_ACTIONS: dict[str, Described] = {
                         "planes by that from the plane of all lines as they are shown"),
     "arrange": ("&Arrange as at first", "Arrange", "", "",
                 "Put every panel back in its place, also those that float or were closed"),
-    "theme_system": ("&As the system", "System", "", "",
+    "theme_system": ("&System default", "System", "", "",
                      "Light or dark as the system is, also when that changes"),
     "theme_light": ("&Light", "Light", "", "", "Dark text on a light ground"),
     "theme_dark": ("&Dark", "Dark", "", "", "Light text on a dark ground"),

@@ -55,7 +55,7 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
             ("Chi-square test at 95 %", f"statistic {test.statistic:,.1f}{bounds}"),
             ("", test.in_words),
             ("RMS before", f"{mm(adjustment.rms_before_m)} mm"),
-            ("RMS after", f"{mm(adjustment.rms_after_m)} mm; POS errors are not taken off"),
+            ("RMS after", f"{mm(adjustment.rms_after_m)} mm; POS errors not removed"),
             ("Model of the POS errors", content.settings.pos_errors_in_words),
         ],
     )
@@ -96,7 +96,7 @@ def _parameter_row(found: ExtraParameter) -> list[str]:
 
     finding = "held" if found.prior_sigma is None else "not seen"
     if found.value is not None and found.significant is None:
-        finding = "not tested (thesis mode)"
+        finding = "not tested (uncorrelated POS errors)"
     elif found.significant is not None:
         finding = "significant" if found.significant else "not significant"
     return [
@@ -153,7 +153,7 @@ def _observability(content: ReportContent, found: Seen) -> list[Block]:
             [f"Without {line}", *([UNKNOWN] * 3 if sigma is None else [f"{v:.4f}" for v in sigma])]
             for line, sigma in found.sigma_without_line_deg.items()
         ]
-        head = "1 sigma of the angles if a line had not been sailed"
+        head = "1 sigma of the angles with one line omitted"
         blocks.append(Table(head, columns, rows([["All lines", *all_lines], *without])))
     return blocks
 

@@ -87,7 +87,7 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
             Column("Line", "left"),
             Column("Points"),
             Column("Redundancy"),
-            Column("Strays"),
+            Column("Outliers"),
             Column("Largest w"),
             Column("Its time (s)"),
         ),
@@ -161,7 +161,7 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
                     ]
                     for s in found
                 ),
-                ["Prior 1 sigma", "mean", *prior],
+                ["Given 1 σ", "mean", *prior],
             ]
         ),
     )

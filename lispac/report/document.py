@@ -62,14 +62,14 @@ def in_english(
     status, verdict = _verdict(content, bool(serious))
     parts = [
         _section("Boresight and its uncertainty", boresight(content)),
-        _section("Figures in the words of standards", standards(content)),
+        _section("Uncertainty in standard terms", standards(content)),
         _section("Values for other programs", other_programs(content)),
         _section("Targets and residuals", sections.residuals(content)),
         _section("Quality of the sightings", quality_of_sightings(content)),
         _section("Reliability of the sightings", reliability(content)),
         _section("Cross-checks", cross_checks(content)),
         _section("Validation", validation(content)),
-        _section("Second opinions", second_opinions(content)),
+        _section("Alternative methods", second_opinions(content)),
         _section("Absolute check", absolute(content)),
         _section("Site and lines", sections.site(content)),
         _section("Settings and input files", settings(content)),

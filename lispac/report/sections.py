@@ -55,7 +55,7 @@ def summary(content: ReportContent) -> list[Block]:
     if content.validation:
         blocks.append(
             distance_table(
-                "Validation: distances between lines on planes that took no part (mm)",
+                "Validation: distances between lines on planes not used in the adjustment (mm)",
                 [Column("Plane", "left")],
                 [((plane.name,), plane.before, plane.after) for plane in content.validation],
             )

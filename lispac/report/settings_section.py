@@ -30,7 +30,7 @@ def settings(content: ReportContent) -> list[Block]:
         blocks += _components(adjustment)
     blocks.append(_files(content))
     if content.notes:
-        blocks += [Paragraph("Assumed while reading:"), Bullets(content.notes)]
+        blocks += [Paragraph("Input assumptions:"), Bullets(content.notes)]
     return blocks
 
 

@@ -1,4 +1,4 @@
-"""The section on validation: how far apart the lines are on planes that took no part."""
+"""The section on validation: how far apart the lines are on planes not used in the adjustment."""
 
 from collections.abc import Sequence
 
@@ -12,7 +12,7 @@ PLANES = "Planes of the two lines against each other, reciprocal pairs"
 
 
 def validation(content: ReportContent) -> list[Block]:
-    """How far apart the lines were on planes that took no part, and are."""
+    """How far apart the lines were on planes not used in the adjustment, and are."""
     from lispac.report.histograms import validation_figure
     from lispac.report.maps import map_figure_of
     from lispac.report.profiles import profile_figure_of

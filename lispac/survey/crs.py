@@ -61,7 +61,7 @@ class CoordinateSystem:
     unit : str
         Of the horizontal coordinates.
     assumptions : tuple of str
-        What was taken for granted, in words.
+        What was assumptions, in words.
     metres : three of float
         Metres in each unit of x, y and height; of a degree, what it is at the equator.
     written : pyproj.CRS

@@ -1,1 +1,1 @@
-"""How far apart the lines were on what took no part, and how close they are."""
+"""How far apart the lines were on what was not used in the adjustment, and how close they are."""

@@ -88,7 +88,7 @@ def check_absolute(
     project : Project
         With the check.
     notes : tuple of str
-        What was taken for granted, in words.
+        What was assumptions, in words.
 
     Raises
     ------

@@ -74,7 +74,7 @@ def export(
     -------
     paths : list of Path
     notes : tuple of str
-        What was left out or taken for granted, in words.
+        What was left out or assumptions, in words.
 
     Raises
     ------

@@ -282,7 +282,7 @@ class _Source:
         self._points, self._original = points, original
 
     def findings(self) -> tuple[tuple[str, ...], dict[str, Any]]:
-        """What was taken for granted, in words, and the audit as plain values."""
+        """What was assumptions, in words, and the audit as plain values."""
         return self._points.assumptions, encoded(self._points.found)
 
     def pieces(self, first: int) -> Iterator[Piece]:

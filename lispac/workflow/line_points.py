@@ -198,7 +198,7 @@ class LinePoints:
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """What is taken for granted, and which points have no pose, in words."""
+        """What is assumptions, and which points have no pose, in words."""
         words = self._assumptions
         if self._without_pose:
             name = self.line.path.name

@@ -200,7 +200,7 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
 
 
 def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str, ...]]:
-    """The trajectory of a project in its local frame, and what was taken for granted, in words.
+    """The trajectory of a project in its local frame, and what was assumptions, in words.
 
     Raises
     ------

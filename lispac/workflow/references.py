@@ -90,7 +90,7 @@ class Reference:
     sigma : float, metres
         Of a scan, which all its points share; the usual one of points.
     notes : tuple of str
-        What was taken for granted, in words.
+        What was assumptions, in words.
     surface : ndarray of shape (n, 3), metres, local frame
         Points of a scan where the lines have been; none otherwise.
     names : tuple of str

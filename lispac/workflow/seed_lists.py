@@ -57,7 +57,7 @@ class SeedList:
     Attributes
     ----------
     notes : tuple of str
-        What was taken for granted, in words.
+        What was assumptions, in words.
     """
 
     points: PointList
@@ -158,7 +158,7 @@ def pick_seeds(
     outcomes = []
     for k, seed in enumerate(seeds):
         step = part(progress, k / len(seeds), (k + 1) / len(seeds))
-        step(0.0, f"Seeking {seed.name} ({k + 1} of {len(seeds)})")
+        step(0.0, f"Searching for {seed.name} ({k + 1} of {len(seeds)})")
         asked = dict(how) if seed.role == "target" else {**how, **PLANE}
         try:
             target = find(

@@ -208,7 +208,7 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
 
 
 def _with_shifts(project: Project, notes: tuple[str, ...]) -> tuple[str, ...]:
-    """What is taken for granted of times, where some lines' are shifted."""
+    """What is assumptions of times, where some lines' are shifted."""
     shifted = [line for line in project.lines if line.reading.time_shift]
     if not shifted:
         return notes

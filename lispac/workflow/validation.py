@@ -1,4 +1,4 @@
-"""How far apart the lines are on planes that took no part, before and after."""
+"""How far apart the lines are on planes not used in the adjustment, before and after."""
 
 from dataclasses import replace
 

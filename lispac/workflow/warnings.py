@@ -46,7 +46,7 @@ class Concern:
     Attributes
     ----------
     severity : {"serious", "caution", "note"}
-        Whether it makes the answer doubtful, is to be looked at, or was only taken for granted.
+        Whether it makes the answer doubtful, is to be looked at, or was only assumptions.
     text : str
         A sentence or two.
     cause : Cause

@@ -60,7 +60,7 @@ def test_a_wrong_number_is_caught_while_it_is_typed(picked: Driver):
     switch, sigma = panel.parameters.switches["lever_x"], panel.parameters.sigmas["lever_x"]
     assert not sigma.isEnabled()
     click(picked, switch)
-    assert panel.also.head.text() == "Estimate also: lever arm X"
+    assert panel.also.head.text() == "Additional parameters: lever arm X"
     for text, words in (("5x", "not a number"), ("-3", "larger than zero"), ("0", "larger")):
         type_into(picked, sigma, text)
         assert words in panel.problem.text()

@@ -169,9 +169,7 @@ def test_closing_with_unsaved_changes(
     assert (picked_folder / UNSAVED_NAME).exists() == (button == "Cancel")
 
 
-@pytest.mark.parametrize(
-    "button", ["Bring it back", pytest.param("Forget it", marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize("button", ["Restore", pytest.param("Discard", marks=pytest.mark.long)])
 def test_after_a_crash_the_work_is_offered(
     hands: Hands, picked_folder: Path, button: str, tmp_path: Path
 ) -> None:
@@ -182,7 +180,7 @@ def test_after_a_crash_the_work_is_offered(
     hands.settings.left_open = AppSettings(picked_folder.parent / "killed" / SETTINGS).left_open
     assert hands.session.left_by_a_crash() == picked_folder
     open_by_keys(hands, picked_folder, then=button)
-    back = button == "Bring it back"
+    back = button == "Restore"
     after = ["North wall", "South wall", *before[2:]] if back else before
     assert [target.name for target in hands.project.targets] == after
     assert hands.window.isWindowModified() == back

@@ -31,7 +31,7 @@ def test_dropped_files_become_a_project(
     filled: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     assert texts(filled, ROLE) == ["Trajectory", "Accuracy", *["Line"] * 6]
-    assert set(texts(filled, STATE)) <= {"Fine", "1 doubt", "2 doubts"}
+    assert set(texts(filled, STATE)) <= {"OK", "1 doubt", "2 doubts"}
     assert filled.ok.isEnabled(), filled.reason.text()
     assert "lever arm is zero" in filled.reason.text()
     assert not filled.mounting.position_sigma.isEnabled()
@@ -189,7 +189,7 @@ def test_columns_are_chosen_over_the_preview_and_remembered(
         QTest.qWait(1)
         qtbot.keyClicks(combo, letter)
         rest(qtbot, dialog)
-    assert texts(dialog, STATE)[1] == "Fine", dialog.reason.text()
+    assert texts(dialog, STATE)[1] == "OK", dialog.reason.text()
     assert dialog.ok.isEnabled(), dialog.reason.text()
     qtbot.mouseClick(dialog.ok, Left)
     kept = AppSettings(tmp_path / "settings.ini").column_mappings()

@@ -222,7 +222,7 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
     def written() -> str:
         return session.window.report.options().language
 
-    assert (spoken(), written()) == ("As the window", "en")
+    assert (spoken(), written()) == ("Same as window", "en")
     renewed(session, qtbot, "fr")
     assert (spoken(), written()) == ("Comme la fenêtre", "fr")
     QTest.keyClick(session.window.report.page, Qt.Key.Key_Down)

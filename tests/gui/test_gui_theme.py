@@ -165,7 +165,7 @@ def ground(widget: QWidget) -> QColor:
 def test_the_window_follows_the_system(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    change(session, qtbot, "As the system")
+    change(session, qtbot, "System default")
     window, other = session.window, not theme.scheme().dark
     # What the window system does where it has looks of its own, which a virtual screen has not.
     monkeypatch.setattr(theme, "system_is_dark", lambda _application: other)
@@ -182,7 +182,7 @@ def test_the_window_follows_the_system(
 def test_the_design_window_follows_the_system_and_stays_in_front(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    change(session, qtbot, "As the system")
+    change(session, qtbot, "System default")
     window, other = session.window, not theme.scheme().dark
     window.designing.open()
     design = window.designing.window

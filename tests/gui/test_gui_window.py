@@ -46,7 +46,7 @@ def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driv
     settle(opened)
     assert [m.label for m in opened.viewport.markers] == ["T1"]
     assert not opened.window.targets.candidate.isVisible()
-    assert sentence(opened, 1) == "1 target in 6 lines: a second is missing"
+    assert sentence(opened, 1) == "1 target in 6 lines: second target required"
 
 
 def test_escape_rejects_and_leaves_nothing(opened: Driver):

@@ -22,8 +22,8 @@ LOOKING = "Looking at this plan …"
 PAIRS = ("roll–pitch", "roll–yaw", "pitch–yaw")
 WORTH = (
     Column("Without", "Target or line that is left out", words=True),
-    Column("Largest (deg)", "Largest of the three sigmas without it", base="°"),
-    Column("Times", "That many times as large as with it"),
+    Column("Largest σ (deg)", "Largest of the three sigmas without it", base="°"),
+    Column("Factor", "That many times as large as with it"),
 )
 
 

@@ -48,7 +48,7 @@ class SystemPanel(QScrollArea):
         )  # fmt: skip
         self.model = widgets.Choice(
             "design_pos_errors", list(NAMES.values()),
-            "How the adjustment takes the POS errors: drifting, or as the thesis does",
+            "Stochastic model of the POS errors: correlated in time, or uncorrelated",
         )  # fmt: skip
         for choice in (self.grade, self.model):
             choice.setAccessibleName(choice.toolTip())

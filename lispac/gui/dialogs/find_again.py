@@ -20,8 +20,8 @@ class FindAgainDialog(QDialog):
         layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # it follows the fold
         layout.addWidget(
             widgets.label(
-                f"{target.name} is sought at its seed on every line with these settings. What is "
-                "found is offered in place of the present one.",
+                f"{target.name} is searched for at its seed on every line with these settings. "
+                "What is found is offered in place of the present one.",
                 wrap=True,
             )
         )

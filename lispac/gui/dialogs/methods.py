@@ -60,7 +60,7 @@ class MethodsDialog(StudyDialog):
         self.said.setText("\n".join(say(each) for each in told))
         self.said.setVisible(bool(told))
         self.ask = widgets.button(
-            "Ask the others", "methods_ask",
+            "Run other methods", "methods_ask",
             tip="Adjust the validation planes and the surfaces of the scene, and do a patch test "
             "on objects looked for; one undo step",
         )  # fmt: skip

@@ -61,7 +61,7 @@ class Questions:
             buttons.Save | buttons.Discard | buttons.Cancel,
             self.parent,
         )
-        box.setInformativeText(say("Without saving, what was changed since is lost."))
+        box.setInformativeText(say("Unsaved changes will be lost."))
         # Qt's own word is another one in each language, and a clumsy one in French
         box.button(buttons.Discard).setText(say("Do not save"))
         box.setDefaultButton(buttons.Save)
@@ -100,8 +100,8 @@ class Questions:
         box.setInformativeText(
             say(f"It was written down last on {when}. One undo step takes it back again.")
         )
-        back = box.addButton(say("Bring it back"), QMessageBox.ButtonRole.AcceptRole)
-        box.addButton(say("Forget it"), QMessageBox.ButtonRole.DestructiveRole)
+        back = box.addButton(say("Restore"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(say("Discard"), QMessageBox.ButtonRole.DestructiveRole)
         return self._asked(box, back)
 
     def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:

@@ -38,8 +38,8 @@ class SeedDialog(QDialog):
         where = "on every line" if wishes.line is None else f"on {wishes.line} only"
         layout.addWidget(
             widgets.label(
-                f"The {what} at this place is sought {where}, with search radius, threshold and "
-                "the rest as set in step 2. What is found is offered.",
+                f"The {what} at this place is searched for {where}, with search radius, threshold "
+                "and the rest as set in step 2. What is found is offered.",
                 wrap=True,
             )
         )

@@ -177,7 +177,7 @@ class _ScannerPart:
         self.origin = _Origin("sensor", given.source, given.from_memory)
         self.moved = self.range.valueChanged
         form.addRow(say("Range (1 σ)"), self.range)
-        form.addRow(say("Direction of the beam (1 σ)"), self.angle)
+        form.addRow(say("Beam angular noise (1 σ)"), self.angle)
         form.addRow(say("Divergence"), self.beam)
         form.addRow(say("Source"), self.origin)
 

@@ -28,7 +28,7 @@ UNITS = {
     "survey feet": "US survey feet (ftUS)",
 }
 """What the units shown are called, by their keys."""
-LOOKS = {"system": "As the system", "light": "Light", "dark": "Dark"}
+LOOKS = {"system": "System default", "light": "Light", "dark": "Dark"}
 """What the themes are called."""
 SCALES: dict[Scale, str] = {
     "viridis": "Viridis: even, safe for the colour-blind",
@@ -108,7 +108,7 @@ class SettingsDialog(QDialog):
 
     def _build(self) -> None:
         self.language = widgets.Choice(
-            "settings_language", ["As the system", *LANGUAGES.values()],
+            "settings_language", ["System default", *LANGUAGES.values()],
             "Language of the window; the report has its own in step 5",
         )  # fmt: skip
         self.point_size = widgets.number(
@@ -139,7 +139,7 @@ class SettingsDialog(QDialog):
             "Colours of the points by height, intensity, range or time; residuals have their own",
         )  # fmt: skip
         self.convention = widgets.Choice(
-            "settings_convention", ["This program alone", *(each.name for each in OTHERS)],
+            "settings_convention", ["(none)", *(each.name for each in OTHERS)],
             "Reports also state the boresight as another program has it",
         )  # fmt: skip
         self.cache = CacheBox()
@@ -154,7 +154,7 @@ class SettingsDialog(QDialog):
         self._form.addRow(say("Angles"), self.angles)
         self._form.addRow(say("Lengths"), self.lengths)
         self._form.addRow(widgets.label("Report", "heading"))
-        self._form.addRow(say("Values also for"), self.convention)
+        self._form.addRow(say("Also give angles for"), self.convention)
         self._form.addRow(widgets.label("Cache", "heading"))
         self._form.addRow(say("Folder"), self.cache)
         self._form.addRow(widgets.label("New projects begin with", "heading"))

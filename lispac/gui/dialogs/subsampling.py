@@ -13,7 +13,7 @@ from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, 
 from lispac.workflow.subsampling import Subsampled
 
 COLUMNS = (
-    Column("Between points (m)", "Points of a sighting nearer together are averaged", base="m"),
+    Column("Point spacing (m)", "Points of a sighting nearer together are averaged", base="m"),
     Column("Points", "That took part; averaged ones count once"),
     *(
         Column(f"{angle.capitalize()}{what} (deg)", f"{tip} of {angle}, degrees", base="°")

@@ -37,7 +37,7 @@ MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     ),
     (
         "independent",
-        "Independent for each point (thesis mode)",
+        "Uncorrelated POS errors (classical)",
         "Every point has a POS error of its own. For comparison only: the sigmas come out several "
         "times too small.",
     ),
@@ -78,7 +78,7 @@ class AdjustPanel(QWidget):
         self.model_sentence = widgets.label("", "muted", wrap=True, name="model_sentence")
         layout.addWidget(self.model_sentence)
         self.parameters = ParameterSwitches()
-        self.also = Fold("Estimate also", "fold_parameters", self.parameters)
+        self.also = Fold("Additional parameters", "fold_parameters", self.parameters)
         layout.addWidget(self.also)
         self.model = ModelSettings()
         self.advanced = Fold("Advanced", "fold_advanced", self.model)
@@ -270,7 +270,7 @@ class AdjustPanel(QWidget):
         self.distance.valueChanged.connect(self._distance_changed)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
-        row.addWidget(widgets.label("Point distance", "heading"))
+        row.addWidget(widgets.label("Point spacing", "heading"))
         row.addStretch(1)
         row.addWidget(self.distance)
         row.addWidget(self.unit)

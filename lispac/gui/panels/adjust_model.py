@@ -22,7 +22,7 @@ TIMES = (
     "safer than too long a one."
 )
 LOSSES: tuple[tuple[LossName | None, str, str], ...] = (
-    (None, "As the model does", "Tukey with correlated POS errors, none in thesis mode"),
+    (None, "As the model does", "Tukey with correlated POS errors, none with uncorrelated ones"),
     ("none", "All points alike", "No point loses weight, however far it lies off"),
     ("huber", "Far points count less (Huber)", "The weight falls beyond 1.3 σ, never to zero"),
     ("tukey", "Stray points do not count (Tukey)", "Points beyond 4.7 σ have no say"),

@@ -252,7 +252,7 @@ def _offer(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:
         )  # fmt: skip
     independent = result.model.pos_errors == "independent"
     caution = (
-        "Thesis mode: these sigmas are several times too small." if independent else ""
+        "Uncorrelated POS errors: these sigmas are several times too small." if independent else ""
     )  # fmt: skip
     return (
         project.mounting("estimated"),

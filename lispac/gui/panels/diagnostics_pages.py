@@ -24,7 +24,10 @@ from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
 from lispac.project import Project
 
 NOTHING = "Nothing estimated yet: press Estimate in step 3, and {what} here."
-THESIS = "Thesis mode does not work this out: choose “Correlated in time” in step 3 and estimate."
+THESIS = (
+    "Not available with uncorrelated POS errors. Choose “Correlated in time” in step 3 and "
+    "estimate."
+)
 
 
 class Page(QWidget):

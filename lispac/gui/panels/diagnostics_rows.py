@@ -50,7 +50,7 @@ SIGHTINGS = (
         "Largest change of an angle by a shift of that size that stays unfound, 0.001°",
         base="m°",
     ),
-    Column("Strays", "Points whose own test is beyond 3.29"),
+    Column("Outliers", "Points whose own test is beyond 3.29"),
     Column(
         "Largest point w",
         "Test value of the point farthest off, by its sigma, and its time in the line, s; of an "
@@ -80,7 +80,7 @@ TARGETS = (
     Column("After (mm)", "RMS distance to the adjusted surface, mm", base="mm"),
     Column("Noise factor", "Noise found in the residuals over the stated one, at least 1"),
     Column("Largest w", "Largest test value of its sightings"),
-    Column("Strays", "Points whose own test is beyond 3.29"),
+    Column("Outliers", "Points whose own test is beyond 3.29"),
     Column("Remark", "What to look at", True),
 )
 DIFFERENCE = "Difference from the answer of all points, or between the halves"
@@ -137,7 +137,7 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
     elif odd:
         remark = f"w beyond {critical:.2f}"
     elif test.strays > 0.05 * residual.points:
-        remark = "many stray points"
+        remark = "many outliers"
     tests = (
         [number(None, "")] * 3
         if test.released

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from lispac.geometry.rotations import rotation_matrix
 from lispac.gui import theme
 from lispac.gui.language import say
+from lispac.language import gettext
 
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 SHOWN_DEG = 25.0
@@ -52,8 +53,9 @@ def exaggerated(boresight: np.ndarray) -> tuple[int, np.ndarray]:
 
 def turn_words(factor: int) -> str:
     """How the scanner's axes are drawn."""
-    shown = "turn shown as it is" if factor == 1 else f"turn shown × {factor}"
-    return f"Scanner X, Y, Z: {shown}"
+    if factor == 1:
+        return gettext("Scanner axes as mounted")
+    return gettext("Scanner axes, rotation enlarged {factor:n} times", factor=factor)
 
 
 def _rotation_vector(boresight: np.ndarray) -> np.ndarray:

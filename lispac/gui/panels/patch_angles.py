@@ -123,7 +123,7 @@ class PatchAngles(QWidget):
             told = [units.signs(say(words), "°")]
             if curvature is not None:
                 parted = units.amount(1000 * float(np.radians(0.01) * curvature[k]), "mm", ".1f")
-                told.append(say(f"0.01 deg aside parts the lines by {parted}"))
+                told.append(say(f"0.01 deg error = {parted} misalignment"))
             label.setText("; ".join(told))
 
     def allow(self, allowed: bool) -> None:

@@ -130,7 +130,7 @@ class PatchTestPanel(QWidget):
                         "smallest, and say how well they are known")  # fmt: skip
         self.keep = make(
             "Keep this answer", "patch_keep",
-            tip="Keep what was found as a second opinion in the project",
+            tip="Keep the result in the project as an alternative method",
         )  # fmt: skip
         self.prior = make("Start again from the prior", "patch_prior",
                           tip="Turn all angles back to the prior boresight")  # fmt: skip

@@ -129,12 +129,12 @@ class ReportPanel(QWidget):
     def _choices(self) -> QFormLayout:
         self.page = widgets.Choice("report_page", list(PAGES.values()), "Size of the paper")
         self.language = widgets.Choice(
-            "report_language", ["As the window", *LANGUAGES.values()],
+            "report_language", ["Same as window", *LANGUAGES.values()],
             "Language of the report; numbers keep their decimal point, JSON stays English",
         )  # fmt: skip
         names = [f"{each.name} ({STATUS_WORDS[each.status].lower()})" for each in OTHERS]
         self.convention = widgets.Choice(
-            "report_convention", ["This program alone", *names],
+            "report_convention", ["(none)", *names],
             "Also state the boresight as another program has it",
         )  # fmt: skip
         self.template = widgets.label(name="report_template")
@@ -156,7 +156,7 @@ class ReportPanel(QWidget):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(say("Language"), self.language)
         form.addRow(say("Page"), self.page)
-        form.addRow(say("Values also for"), self.convention)
+        form.addRow(say("Also give angles for"), self.convention)
         form.addRow(say("Template"), row)
         for box in (self.language, self.page, self.convention):
             box.activated.connect(lambda _index: self.changed.emit())

@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from lispac.adjustment.doubt import Doubt
 from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import component_shown, counted, mm, significance_words, surface_sigmas
+from lispac.adjustment.shown import component_shown, counted, significance_words, surface_sigmas
 from lispac.gui import theme
 from lispac.gui.panels.adjust_parameters import KINDS
+from lispac.language import N_, gettext
 
 ELSEWHERE = {
     "released": "Leave a sighting out if its points are of another surface.",
@@ -32,7 +33,7 @@ def warnings(
 def taking_part(result: AdjustmentResult) -> str:
     """``2,592 points, 12 sightings``, and the strays that were kept out."""
     words = f"{counted(result.points, 'point')}, {counted(len(result.sightings), 'sighting')}"
-    strays = counted(result.left_out, "stray")
+    strays = counted(result.left_out, "outlier")
     return f"{words}; {strays} left out" if result.left_out else words
 
 
@@ -43,32 +44,54 @@ def surface_words(result: AdjustmentResult) -> str:
     if result.model.surface == 0:
         return "held at 0"
     if result.surfaces.max() < LEAST_SURFACE:
-        return "none seen"
+        return "not detected"
     return surface_sigmas(result.surface, result.offset)
+
+
+FIT = (
+    N_("The residuals agree with the given standard deviations. The uncertainties can be used."),
+    N_("The residuals agree with the given standard deviations."),
+)
+"""Text where there is no warning, and where there is one; so the others."""
+FIT_WITH_SURFACES = (
+    N_(
+        "The residuals agree with the given standard deviations if the targets differ by "
+        "{most:mm.1} mm from line to line. The uncertainties can be used."
+    ),
+    N_(
+        "The residuals agree with the given standard deviations if the targets differ by "
+        "{most:mm.1} mm from line to line."
+    ),
+)
+SMALL_RESIDUALS = (
+    N_(
+        "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
+        "are too large, and the uncertainties are conservative."
+    ),
+    N_(
+        "The residuals are smaller than expected: the given standard deviations of LiDAR or POS "
+        "are too large."
+    ),
+)
 
 
 def verdict(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
 ) -> str:
     """What the chi-square test means, in words; no more than that where something is in doubt."""
+    is_sure = not doubts(result, checks, also)
     if result.chi_square.passed:
-        words = "The residuals are as large as the stated sigmas say"
-        if result.model.surface is None and result.surfaces.max() > FLAT:
-            most = f"{mm(result.surfaces.max())}\u00a0mm"
-            words += f", once the targets may differ by {most} from line to line"
-        doubtful = bool(doubts(result, checks, also))
-        return f"{words}." if doubtful else f"{words}: the uncertainties can be used."
+        if result.model.surface is None and (most := float(result.surfaces.max())) > FLAT:
+            sure, unsure = FIT_WITH_SURFACES
+            return gettext(sure if is_sure else unsure, most=most)
+        return gettext(FIT[0] if is_sure else FIT[1])
     if result.variance_factor > 1:
-        return (
-            "The residuals are larger than the stated sigmas say. Look for a target that is not "
-            "flat or a sighting that holds other points, or state larger sigmas."
+        return gettext(
+            "The residuals are larger than expected from the given standard deviations. Look for a "
+            "target that is not flat or a sighting with points of something else, or give larger "
+            "standard deviations."
         )
-    words = (
-        "The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are "
-        "stated too large"
-    )
-    doubtful = bool(doubts(result, checks, also))
-    return f"{words}." if doubtful else f"{words}, so the uncertainties are on the safe side."
+    return gettext(SMALL_RESIDUALS[0] if is_sure else SMALL_RESIDUALS[1])
 
 
 def test_words(result: AdjustmentResult) -> str:

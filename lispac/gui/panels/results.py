@@ -175,7 +175,7 @@ class ResultsPanel(QWidget):
         form.setVerticalSpacing(4)
         self._values = {}
         for key, words in (
-            ("rms", "RMS of distances"),
+            ("rms", "RMS point-to-plane"),
             ("factor", "Variance factor"),
             ("chi", "Chi-square test"),
             ("points", "Points, sightings"),
@@ -219,7 +219,7 @@ def _matrix_cell(value: float) -> str:
 
 def _model_words(model: StochasticModel) -> str:
     if not model.correlated:
-        return "independent (thesis mode)"
+        return "uncorrelated (classical)"
     return f"correlated, {model.position_time:g} s and {model.attitude_time:g} s"
 
 

@@ -361,7 +361,7 @@ def _of_missing(target: Target, line: str, role: int) -> Any:
     if role == Role.ForegroundRole:
         return QBrush(QColor(theme.DISABLED))
     if role == Role.ToolTipRole:
-        reason = target.missing.get(line, "not sought on this line")
+        reason = target.missing.get(line, "not searched for on this line")
         return (
             f"{target.name} on {line}: {reason}\nTo seed this line alone, choose it under "
             "“Seek on” in step 2 and Ctrl+click."

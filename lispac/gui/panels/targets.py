@@ -194,7 +194,7 @@ class TargetsPanel(QWidget):
         if self.line is None:
             text = (
                 "Hold <b>Ctrl</b> and click a target in the view. "
-                f"The {self.shape} is sought on every line."
+                f"The {self.shape} is searched for on every line."
             )
         elif self.current is not None:
             text = (
@@ -265,8 +265,8 @@ class TargetsPanel(QWidget):
         self._sphere_radius = widgets.number(
             "sphere_radius", suffix=" m", decimals=4, low=0, high=10, step=0.01,
             tip="Radius of the ball, not its diameter; 0 where it is unknown: balls of "
-            f"{units.limit(0.05, 'm')} to {units.limit(0.5, 'm')} m are then sought and the radius "
-            "is estimated",
+            f"{units.limit(0.05, 'm')} to {units.limit(0.5, 'm')} m are then searched for and the "
+            "radius is estimated",
         )  # fmt: skip
         widgets.convert_tip(self._sphere_radius, "m")
         self._sphere_radius.setSpecialValueText(say("unknown"))

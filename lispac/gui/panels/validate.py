@@ -1,4 +1,4 @@
-"""Step 4: how far apart the lines are on planes that took no part, before and after."""
+"""Step 4: how far apart the lines are on planes not used in the adjustment, before and after."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
@@ -36,8 +36,8 @@ class ValidatePanel(QWidget):
         layout = widgets.column(self)
         layout.addWidget(
             widgets.label(
-                "The lines are compared with each other, cloud to cloud, on planes that took no "
-                "part in the adjustment.", "hint", wrap=True,
+                "The lines are compared with each other, cloud to cloud, on planes not used in "
+                "the adjustment.", "hint", wrap=True,
             )
         )  # fmt: skip
         self.advice = widgets.label("", wrap=True, name="validate_advice")

@@ -48,7 +48,7 @@ def count_words(concerns: Sequence[Concern]) -> str:
     words = (
         f"{serious} serious" if serious else "",
         f"{caution} to look at" if caution else "",
-        f"{note} taken for granted" if note else "",
+        f"{note} assumptions" if note else "",
     )
     return ", ".join(say(each) for each in words if each)
 

@@ -16,10 +16,7 @@ CHECK_FIRST = (
     "These angles are right if the assumption above is: prove it on one line over a known "
     "surface before use."
 )
-THESIS_MODE = (
-    "The POS errors were taken as independent (thesis mode): these sigmas are several times too "
-    "small."
-)
+THESIS_MODE = "The POS errors were taken as uncorrelated: these sigmas are several times too small."
 LARGE_DEG = 10.0
 """From here on the order of the turns shows, and is said."""
 

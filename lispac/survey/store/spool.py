@@ -88,7 +88,7 @@ class End:
     read : int
         Points of the file, with those left out.
     assumptions : tuple of str
-        What was taken for granted, in words.
+        What was assumptions, in words.
     audit : mapping of plain values
     """
 

@@ -47,7 +47,7 @@ BYTES_PER_POINT = 100
 Pieces = Callable[[int], Iterator[Piece]]
 """Gives the points of a file from an index on."""
 Findings = Callable[[], tuple[tuple[str, ...], dict[str, Any]]]
-"""Gives what was taken for granted and the audit, once a file is read."""
+"""Gives what was assumptions and the audit, once a file is read."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ def write_store(
     place : callable
         Puts points into the local frame for the order in space.
     findings : callable
-        Gives, once the file is read, what was taken for granted, in words, and the audit of its
+        Gives, once the file is read, what was assumptions, in words, and the audit of its
         points, as plain values.
     beside : callable
         Puts into the folder of the columns what is to be kept besides them.

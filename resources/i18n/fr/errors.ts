@@ -48,8 +48,8 @@
         <translation>L&apos;écart-type du LiDAR doit être supérieur à zéro ; corrigez-le.</translation>
     </message>
     <message>
-        <source>not tested: the sigmas of thesis mode are too small</source>
-        <translation>non testé : les écarts-types du mode de la thèse sont trop petits</translation>
+        <source>not tested: with uncorrelated POS errors the sigmas are too small</source>
+        <translation>non testé : avec des erreurs du POS non corrélées les écarts-types sont trop petits</translation>
     </message>
     <message>
         <source>Target {target:kept} has only 1 points on line {line:kept}; a plane needs at least three: pick it again or leave that line out.</source>
@@ -3560,7 +3560,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>No line has a {word} at the seed ({nearest_line:kept}: {nearest_line2}) Set the seed on the target, or enlarge the radius.</source>
-        <translation>Aucune ligne n&apos;a de {word} au germe ({nearest_line} : {nearest_line2}) Placez le germe sur la cible, ou agrandissez le rayon.</translation>
+        <translation>Aucune ligne n&apos;a de {word} au point initial ({nearest_line} : {nearest_line2}) Placez le point initial sur la cible, ou agrandissez le rayon.</translation>
     </message>
     <message>
         <source>Looked for the target in {name:kept}</source>
@@ -3584,7 +3584,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>random seed {seed}</source>
-        <translation>germe aléatoire {seed}</translation>
+        <translation>point initial aléatoire {seed}</translation>
     </message>
     <message>
         <source>A sphere cannot be sought with radii from {least} m to {most} m; give two lengths above zero, the smaller one first.</source>
@@ -3750,7 +3750,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>seed it on</source>
-        <translation>placez son germe sur</translation>
+        <translation>placez son point initial sur</translation>
     </message>
     <message>
         <source>{name:kept}: there is no target to adjust; pick planar targets first.</source>
@@ -3842,7 +3842,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>{name:kept} on {line:kept} would keep {len:n} points only; untick the sighting in the table instead.</source>
-        <translation>{name} sur {line} ne garderait que {len} points ; décochez plutôt la vue dans le tableau.</translation>
+        <translation>{name} sur {line} ne garderait que {len} points ; décochez plutôt l&apos;observation dans le tableau.</translation>
     </message>
     <message>
         <source>{name:kept}: what would be left is no surface. {error}</source>
@@ -4450,7 +4450,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>All flat surfaces found face one way, and that leaves the boresight open; put up a board of another inclination, or set seeds by hand.</source>
-        <translation>Toutes les surfaces planes trouvées font face au même côté, ce qui laisse les angles de visée indéterminés ; installez un panneau d&apos;une autre inclinaison, ou placez des germes à la main.</translation>
+        <translation>Toutes les surfaces planes trouvées font face au même côté, ce qui laisse les angles de visée indéterminés ; installez un panneau d&apos;une autre inclinaison, ou placez des points initiaux à la main.</translation>
     </message>
     <message>
         <source>No two of the planes found determine the boresight.</source>
@@ -4458,7 +4458,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>Judging the sightings of {name:kept}</source>
-        <translation>Examen des vues de {name}</translation>
+        <translation>Examen des observations de {name}</translation>
     </message>
     <message>
         <source>A surface like it stands {apart:n} m beside it, and the scene does not tell which of the two the line shows here: see in the section that it is the one meant.</source>
@@ -4665,16 +4665,16 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path}, rangée {row} : le projet a déjà {name} ; donnez-lui un autre nom dans la liste, ou dites qu&apos;il est à remplacer.</translation>
     </message>
     <message>
-        <source>Seeking {name:kept} ({x} of {len:n})</source>
+        <source>Searching for {name:kept} ({x} of {len:n})</source>
         <translation>Recherche de {name} ({x} sur {len})</translation>
     </message>
     <message>
         <source>{path:file}: no target was found at any of the {len:n} seeds; {name:kept} (row {row}): {reason}</source>
-        <translation>{path} : aucune cible n&apos;a été trouvée à aucun des {len} germes ; {name} (rangée {row}) : {reason}</translation>
+        <translation>{path} : aucune cible n&apos;a été trouvée à aucun des {len} points initiaux ; {name} (rangée {row}) : {reason}</translation>
     </message>
     <message>
         <source>{path:file}: no target was found at {len:n} of the {len2:n} seeds: {named:list}; the table says why. The others are saved.</source>
-        <translation>{path} : aucune cible n&apos;a été trouvée à {len} des {len2} germes : {named} ; le tableau dit pourquoi. Les autres sont enregistrés.</translation>
+        <translation>{path} : aucune cible n&apos;a été trouvée à {len} des {len2} points initiaux : {named} ; le tableau dit pourquoi. Les autres sont enregistrés.</translation>
     </message>
     <message>
         <source>the local frame, metres</source>
@@ -4690,7 +4690,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>{name:kept} on {line:kept}: there are more than {MOST:n} points about the seed; one in {one_in} of them, fairly drawn, was used</source>
-        <translation>{name} sur {line} : il y a plus de {MOST} points autour du germe ; un sur {one_in}, tiré équitablement, a servi</translation>
+        <translation>{name} sur {line} : il y a plus de {MOST} points autour du point initial ; un sur {one_in}, tiré équitablement, a servi</translation>
     </message>
     <message>
         <source>an unknown radius</source>
@@ -5214,7 +5214,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>Trying the seed of {name:kept}</source>
-        <translation>Essai du germe de {name}</translation>
+        <translation>Essai du point initial de {name}</translation>
     </message>
     <message>
         <source>Script made</source>
@@ -5234,7 +5234,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>The angles of the project differ from those of this script, by up to {n:n} deg ({angles:foreign}): after a sighting was left out they followed with the points as they were selected before, or another version found them. Estimate again in the project to have those of the script.</source>
-        <translation>Les angles du projet diffèrent de ceux de ce script, jusqu&apos;à {n}° ({angles}) : après la mise à l&apos;écart d&apos;une vue, ils ont suivi avec les points tels qu&apos;ils étaient choisis avant, ou une autre version les a trouvés. Estimez de nouveau dans le projet pour avoir ceux du script.</translation>
+        <translation>Les angles du projet diffèrent de ceux de ce script, jusqu&apos;à {n}° ({angles}) : après la mise à l&apos;écart d&apos;une observation, ils ont suivi avec les points tels qu&apos;ils étaient choisis avant, ou une autre version les a trouvés. Estimez de nouveau dans le projet pour avoir ceux du script.</translation>
     </message>
     <message>
         <source>The reference {name:kept} was not found beside the lines: put its path into the step project.check, with its sigma and crs where they were chosen, and take the # away.</source>
@@ -5422,7 +5422,7 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     </message>
     <message>
         <source>seed, threshold or radius of {name:kept}</source>
-        <translation>germe, seuil ou rayon de {name}</translation>
+        <translation>point initial, seuil ou rayon de {name}</translation>
     </message>
     <message>
         <source>{name:kept} is on a line {line:kept} that is not listed</source>

@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>Quality of the sightings</source>
-        <translation>Qualité des vues</translation>
+        <translation>Qualité des observations</translation>
     </message>
     <message>
         <source>Reliability of the sightings</source>
-        <translation>Fiabilité des vues</translation>
+        <translation>Fiabilité des observations</translation>
     </message>
     <message>
         <source>Cross-checks</source>
@@ -316,11 +316,11 @@
     </message>
     <message>
         <source>1 sighting</source>
-        <translation>1 vue</translation>
+        <translation>1 observation</translation>
     </message>
     <message>
         <source>{n:n} sightings</source>
-        <translation>{n} vues</translation>
+        <translation>{n} observations</translation>
     </message>
     <message>
         <source>1 line</source>
@@ -567,7 +567,7 @@ its sigma</source>
     </message>
     <message>
         <source>Sightings</source>
-        <translation>Vues</translation>
+        <translation>Observations</translation>
     </message>
     <message>
         <source>Points</source>
@@ -674,10 +674,6 @@ its sigma</source>
     <message>
         <source>Redundancy</source>
         <translation>Redondance</translation>
-    </message>
-    <message>
-        <source>Strays</source>
-        <translation>Aberrants</translation>
     </message>
     <message>
         <source>Largest w</source>
@@ -840,7 +836,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>From {points:n} points of {targets} in {sightings} on {lines}: RMS distance to the targets&apos; surfaces {before:n} mm before, {after:n} mm after.</source>
-        <translation>À partir de {points} points de {targets}, en {sightings} sur {lines} : distance RMS aux surfaces des cibles de {before} mm avant et de {after} mm après l&apos;étalonnage. Une vue est une cible observée sur une ligne.</translation>
+        <translation>À partir de {points} points de {targets}, en {sightings} sur {lines} : distance RMS aux surfaces des cibles de {before} mm avant et de {after} mm après l&apos;étalonnage. Une observation est une cible observée sur une ligne.</translation>
     </message>
     <message>
         <source>The boresight goes with these values, estimated with it: {values:list}.</source>
@@ -859,8 +855,8 @@ vert. (°)</translation>
         <translation>{parameter} {value} ms (1 sigma : {sigma} ms)</translation>
     </message>
     <message>
-        <source>Validation: distances between lines on planes that took no part (mm)</source>
-        <translation>Validation : distances entre lignes sur des plans qui n&apos;ont pas servi à l&apos;étalonnage (mm)</translation>
+        <source>Validation: distances between lines on planes not used in the adjustment (mm)</source>
+        <translation>Validation : distances entre lignes sur des plans non utilisés dans la compensation (mm)</translation>
     </message>
     <message>
         <source>Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left side up, pitch positive with the bow down, yaw positive clockwise seen from above. The boresight turns LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs use other signs and orders: convert before typing these angles into one.</source>
@@ -871,7 +867,7 @@ vert. (°)</translation>
     <name>targets</name>
     <message>
         <source>Targets and validation planes as picked (seed in the local frame)</source>
-        <translation>Cibles et plans de validation tels que désignés (germe dans le repère local)</translation>
+        <translation>Cibles et plans de validation tels que désignés (point initial dans le repère local)</translation>
     </message>
     <message>
         <source>Not found:</source>
@@ -891,19 +887,19 @@ vert. (°)</translation>
     </message>
     <message>
         <source>Fit of each sighting to its target&apos;s surface</source>
-        <translation>Ajustement de chaque vue à la surface de sa cible</translation>
+        <translation>Ajustement de chaque observation à la surface de sa cible</translation>
     </message>
     <message>
         <source>RMS of each sighting, before and after.</source>
-        <translation>RMS de chaque vue, avant et après.</translation>
+        <translation>RMS de chaque observation, avant et après.</translation>
     </message>
     <message>
         <source>RMS and mean are distances from the surface that all lines have in common. After the adjustment they still hold the POS error of each sighting, which no boresight removes. The noise factor is the LiDAR noise found in the residuals, with POS errors taken off, over the stated one; where it is above 1 the sigmas of the angles are computed with it.</source>
-        <translation>RMS et moyenne sont des distances à la surface commune à toutes les lignes. Après la compensation, elles contiennent encore l&apos;erreur du POS de chaque vue, qu&apos;aucun angle de visée n&apos;enlève. Le facteur de bruit est le bruit du LiDAR trouvé dans les résidus, erreurs du POS retirées, rapporté au bruit déclaré ; là où il dépasse 1, les écarts-types des angles en tiennent compte.</translation>
+        <translation>RMS et moyenne sont des distances à la surface commune à toutes les lignes. Après la compensation, elles contiennent encore l&apos;erreur du POS de chaque observation, qu&apos;aucun angle de visée n&apos;enlève. Le facteur de bruit est le bruit du LiDAR trouvé dans les résidus, erreurs du POS retirées, rapporté au bruit déclaré ; là où il dépasse 1, les écarts-types des angles en tiennent compte.</translation>
     </message>
     <message>
         <source>RMS and mean are distances from the surface that all lines have in common. After the adjustment they still hold the POS error of each sighting, which no boresight removes.</source>
-        <translation>RMS et moyenne sont des distances à la surface commune à toutes les lignes. Après la compensation, elles contiennent encore l&apos;erreur du POS de chaque vue, qu&apos;aucun angle de visée n&apos;enlève.</translation>
+        <translation>RMS et moyenne sont des distances à la surface commune à toutes les lignes. Après la compensation, elles contiennent encore l&apos;erreur du POS de chaque observation, qu&apos;aucun angle de visée n&apos;enlève.</translation>
     </message>
     <message>
         <source>Plan of the site, local frame.</source>
@@ -977,8 +973,8 @@ vert. (°)</translation>
         <translation>statistique {value}, bornes de {lower} à {upper}</translation>
     </message>
     <message>
-        <source>{rms:n} mm; POS errors are not taken off</source>
-        <translation>{rms} mm ; les erreurs du POS ne sont pas retirées</translation>
+        <source>{rms:n} mm; POS errors not removed</source>
+        <translation>{rms} mm ; erreurs du POS non retirées</translation>
     </message>
     <message>
         <source>Not tested: there are no more points than unknowns.</source>
@@ -1025,8 +1021,8 @@ vert. (°)</translation>
         <translation>non vu</translation>
     </message>
     <message>
-        <source>not tested (thesis mode)</source>
-        <translation>non testé (mode de la thèse)</translation>
+        <source>not tested (uncorrelated POS errors)</source>
+        <translation>non testé (erreurs du POS non corrélées)</translation>
     </message>
     <message>
         <source>significant</source>
@@ -1057,8 +1053,8 @@ vert. (°)</translation>
         <translation>Conditionnement de la matrice normale des angles : {number} (1 signifierait que toutes les directions sont également connues).</translation>
     </message>
     <message>
-        <source>1 sigma of the angles if a line had not been sailed</source>
-        <translation>Écart-type des angles si une ligne n&apos;avait pas été parcourue</translation>
+        <source>1 sigma of the angles with one line omitted</source>
+        <translation>Écart-type des angles sans l&apos;une des lignes</translation>
     </message>
     <message>
         <source>All lines</source>
@@ -1104,15 +1100,15 @@ vert. (°)</translation>
         <translation>Le lacet est vu surtout par {lines} : sans {line}, son écart-type serait de {then}° au lieu de {now}°.</translation>
     </message>
     <message>
-        <source>Roll hangs on no single line.</source>
+        <source>Roll does not depend on any single line.</source>
         <translation>Le roulis ne dépend d&apos;aucune ligne en particulier.</translation>
     </message>
     <message>
-        <source>Pitch hangs on no single line.</source>
+        <source>Pitch does not depend on any single line.</source>
         <translation>Le tangage ne dépend d&apos;aucune ligne en particulier.</translation>
     </message>
     <message>
-        <source>Yaw hangs on no single line.</source>
+        <source>Yaw does not depend on any single line.</source>
         <translation>Le lacet ne dépend d&apos;aucune ligne en particulier.</translation>
     </message>
     <message>
@@ -1153,7 +1149,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>All sightings are on line {line}: a surface seen once fits any boresight. Add lines in other directions over the same targets.</source>
-        <translation>Toutes les vues sont sur la ligne {line} : une surface vue une seule fois convient à n&apos;importe quels angles de visée. Ajoutez des lignes dans d&apos;autres directions devant les mêmes cibles.</translation>
+        <translation>Toutes les observations sont sur la ligne {line} : une surface vue une seule fois convient à n&apos;importe quels angles de visée. Ajoutez des lignes dans d&apos;autres directions devant les mêmes cibles.</translation>
     </message>
     <message>
         <source>These lines and targets do not determine the boresight, mainly not {what}. Add {target}, or lines in other directions: a vertical target shows roll on lines along it, pitch and yaw on lines at 45 deg to it.</source>
@@ -1220,19 +1216,19 @@ vert. (°)</translation>
     <name>checks</name>
     <message>
         <source>Sightings are not tested by the model used here, that has no error in common to a sighting&apos;s points.</source>
-        <translation>Le modèle employé ici ne teste pas les vues : il n&apos;a pas d&apos;erreur commune aux points d&apos;une vue.</translation>
+        <translation>Le modèle employé ici ne teste pas les observations : il n&apos;a pas d&apos;erreur commune aux points d&apos;une observation.</translation>
     </message>
     <message>
         <source>Sightings are not tested by the model used here, with the surface sigma held at zero.</source>
-        <translation>Le modèle employé ici ne teste pas les vues : l&apos;écart-type des surfaces est fixé à zéro.</translation>
+        <translation>Le modèle employé ici ne teste pas les observations : l&apos;écart-type des surfaces est fixé à zéro.</translation>
     </message>
     <message>
         <source>Each sighting is compared with what all others say of it. Shift: how far it lies off along the surface&apos;s normal. w: the shift over its sigma; beyond {critical:n} the sighting disagrees (1 % chance that any of {count:n} does so without a fault). Detectable: the smallest shift that the test finds 4 times in 5. Effect: what a shift of that size, not found, does to the angles.</source>
-        <translation>Chaque vue est comparée à ce que toutes les autres disent d&apos;elle. Écart : de combien elle est décalée le long de la normale de la surface. w : l&apos;écart rapporté à son écart-type ; au-delà de {critical}, la vue est en désaccord (1 % de chances que l&apos;une des {count} le soit sans qu&apos;il y ait de faute). Décelable : le plus petit écart que le test trouve 4 fois sur 5. Effet : ce qu&apos;un écart de cette taille, non trouvé, fait aux angles.</translation>
+        <translation>Chaque observation est comparée à ce que toutes les autres disent d&apos;elle. Écart : de combien elle est décalée le long de la normale de la surface. w : l&apos;écart rapporté à son écart-type ; au-delà de {critical}, l&apos;observation est en désaccord (1 % de chances que l&apos;une des {count} le soit sans qu&apos;il y ait de faute). Décelable : le plus petit écart que le test trouve 4 fois sur 5. Effet : ce qu&apos;un écart de cette taille, non trouvé, fait aux angles.</translation>
     </message>
     <message>
         <source>Agreement of the sightings</source>
-        <translation>Concordance des vues</translation>
+        <translation>Concordance des observations</translation>
     </message>
     <message>
         <source>{target:name} on line {line:name} lies off what all others say; it is left out: the answer would be the same without it.</source>
@@ -1240,7 +1236,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>{target:name} on line {line:name} disagrees but takes part: with too few other sightings of the target, or without a loss, none is left out.</source>
-        <translation>{target} sur la ligne {line} est en désaccord mais prend part au calcul : avec trop peu d&apos;autres vues de la cible, ou sans fonction de perte, aucune n&apos;est écartée.</translation>
+        <translation>{target} sur la ligne {line} est en désaccord mais prend part au calcul : avec trop peu d&apos;autres observations de la cible, ou sans fonction de perte, aucune n&apos;est écartée.</translation>
     </message>
     <message>
         <source>No other data check {sightings:list}.</source>
@@ -1256,11 +1252,11 @@ vert. (°)</translation>
     </message>
     <message>
         <source>Estimated POS error in the middle of each sighting</source>
-        <translation>Erreur du POS estimée au milieu de chaque vue</translation>
+        <translation>Erreur du POS estimée au milieu de chaque observation</translation>
     </message>
     <message>
-        <source>Prior 1 sigma</source>
-        <translation>Écart-type a priori</translation>
+        <source>Given 1 σ</source>
+        <translation>1 σ donné</translation>
     </message>
     <message>
         <source>mean</source>
@@ -1268,7 +1264,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>Estimated POS error of each sighting with its 2 sigma (bar); grey: the prior 2 sigma. Errors beyond the grey are red: the POS was worse than stated, or something else is taken for its error.</source>
-        <translation>Erreur du POS estimée pour chaque vue, avec ses 2 sigma (barre) ; en gris : les 2 sigma a priori. Les erreurs au-delà du gris sont en rouge : le POS était moins bon que déclaré, ou autre chose est pris pour son erreur.</translation>
+        <translation>Erreur du POS estimée pour chaque observation, avec ses 2 sigma (barre) ; en gris : les 2 sigma a priori. Les erreurs au-delà du gris sont en rouge : le POS était moins bon que déclaré, ou autre chose est pris pour son erreur.</translation>
     </message>
     <message>
         <source>No part of the data has been adjusted by itself.</source>
@@ -1379,11 +1375,11 @@ vert. (°)</translation>
     <name>quality</name>
     <message>
         <source>Quality of each sighting</source>
-        <translation>Qualité de chaque vue</translation>
+        <translation>Qualité de chaque observation</translation>
     </message>
     <message>
         <source>RMS about the sighting&apos;s own surface; incidence counts from its normal.</source>
-        <translation>RMS par rapport à la surface propre de la vue ; l&apos;incidence se compte depuis sa normale.</translation>
+        <translation>RMS par rapport à la surface propre de l&apos;observation ; l&apos;incidence se compte depuis sa normale.</translation>
     </message>
     <message>
         <source>Shown is its size by what the other lines show of it.</source>
@@ -1517,8 +1513,8 @@ vert. (°)</translation>
         <translation>Modèle stochastique</translation>
     </message>
     <message>
-        <source>Assumed while reading:</source>
-        <translation>Supposé à la lecture :</translation>
+        <source>Input assumptions:</source>
+        <translation>Hypothèses de lecture :</translation>
     </message>
     <message>
         <source>Lever arm, forward, left, up</source>
@@ -1654,7 +1650,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>All points of one sighting share the errors of position and attitude they were placed with, and sightings close in time share part of them (first-order Gauss-Markov process).</source>
-        <translation>Tous les points d&apos;une vue partagent les erreurs de position et d&apos;attitude avec lesquelles ils ont été placés, et les vues proches dans le temps en partagent une part (processus de Gauss-Markov du premier ordre).</translation>
+        <translation>Tous les points d&apos;une observation partagent les erreurs de position et d&apos;attitude avec lesquelles ils ont été placés, et les observations proches dans le temps en partagent une part (processus de Gauss-Markov du premier ordre).</translation>
     </message>
     <message>
         <source>Every point has errors of position and attitude of its own, independent of all others.</source>
@@ -1706,19 +1702,19 @@ vert. (°)</translation>
     </message>
     <message>
         <source>to be found from the data: how far a sighting as a whole may lie off the shape that all lines have in common</source>
-        <translation>à trouver d&apos;après les données : de combien une vue, dans son ensemble, peut s&apos;écarter de la forme commune à toutes les lignes</translation>
+        <translation>à trouver d&apos;après les données : de combien une observation, dans son ensemble, peut s&apos;écarter de la forme commune à toutes les lignes</translation>
     </message>
     <message>
         <source>none: each sighting is held to the shape that all lines have in common</source>
-        <translation>aucun : chaque vue est tenue à la forme commune à toutes les lignes</translation>
+        <translation>aucun : chaque observation est tenue à la forme commune à toutes les lignes</translation>
     </message>
     <message>
         <source>{sigmas}, found from the data: how far a sighting as a whole may lie off the shape that all lines have in common</source>
-        <translation>{sigmas}, d&apos;après les données : de combien une vue, dans son ensemble, peut s&apos;écarter de la forme commune à toutes les lignes</translation>
+        <translation>{sigmas}, d&apos;après les données : de combien une observation, dans son ensemble, peut s&apos;écarter de la forme commune à toutes les lignes</translation>
     </message>
     <message>
         <source>{sigmas}, as typed: how far a sighting as a whole may lie off the shape that all lines have in common</source>
-        <translation>{sigmas}, valeur saisie : de combien une vue, dans son ensemble, peut s&apos;écarter de la forme commune à toutes les lignes</translation>
+        <translation>{sigmas}, valeur saisie : de combien une observation, dans son ensemble, peut s&apos;écarter de la forme commune à toutes les lignes</translation>
     </message>
     <message>
         <source>offsets {offset} mm, tilts {tilt} mm</source>
@@ -1730,7 +1726,7 @@ vert. (°)</translation>
     </message>
     <message>
         <source>From the residuals and the estimated POS errors by restricted likelihood. A sigma is raised where the data say more, and lowered only where the whole interval says less; what is not applied is used as stated. With few sightings the data say little of the POS: a wide interval means that the stated sigma may be as good as the one found.</source>
-        <translation>D&apos;après les résidus et les erreurs du POS estimées, par vraisemblance restreinte. Un écart-type est augmenté là où les données en demandent plus, et diminué seulement si tout l&apos;intervalle en demande moins ; ce qui n&apos;est pas appliqué reste tel que déclaré. Avec peu de vues, les données disent peu de chose du POS : un intervalle large signifie que l&apos;écart-type déclaré peut être aussi bon que celui trouvé.</translation>
+        <translation>D&apos;après les résidus et les erreurs du POS estimées, par vraisemblance restreinte. Un écart-type est augmenté là où les données en demandent plus, et diminué seulement si tout l&apos;intervalle en demande moins ; ce qui n&apos;est pas appliqué reste tel que déclaré. Avec peu d&apos;observations, les données disent peu de chose du POS : un intervalle large signifie que l&apos;écart-type déclaré peut être aussi bon que celui trouvé.</translation>
     </message>
     <message>
         <source>{lower:n} to {upper:n}</source>
@@ -2071,7 +2067,7 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>Of {used:n} sightings used, poor: {poor:n}, doubtful: {doubtful:n}. The worst, {target:name} on {line:name}: {reasons} See the section on the quality of the sightings.</source>
-        <translation>Sur {used} vues utilisées, mauvaises : {poor}, douteuses : {doubtful}. La pire, {target} sur {line} : {reasons} Voir la section sur la qualité des vues.</translation>
+        <translation>Sur {used} observations utilisées, mauvaises : {poor}, douteuses : {doubtful}. La pire, {target} sur {line} : {reasons} Voir la section sur la qualité des observations.</translation>
     </message>
     <message>
         <source>On validation plane {plane} the lines lie farther apart after the calibration (RMS {after:n} mm) than before ({before:n} mm).</source>
@@ -2182,15 +2178,15 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>The surface sigma is held at 0, so no sighting is tested against the others; take it from the data to have them tested.</source>
-        <translation>L&apos;écart-type des surfaces est fixé à 0 : aucune vue n&apos;est testée par rapport aux autres ; tirez-le des données pour qu&apos;elles le soient.</translation>
+        <translation>L&apos;écart-type des surfaces est fixé à 0 : aucune observation n&apos;est testée par rapport aux autres ; tirez-le des données pour qu&apos;elles le soient.</translation>
     </message>
     <message>
         <source>Left out of the answer, because the other sightings contradict it: {sightings:list}. Look at the points and the trajectory there.</source>
-        <translation>Écartée de la réponse, parce que les autres vues la contredisent : {sightings}. Examinez-y les points et la trajectoire.</translation>
+        <translation>Écartée de la réponse, parce que les autres observations la contredisent : {sightings}. Examinez-y les points et la trajectoire.</translation>
     </message>
     <message>
         <source>Left out of the answer, because the other sightings contradict them: {sightings:list}. Look at the points and the trajectory there.</source>
-        <translation>Écartées de la réponse, parce que les autres vues les contredisent : {sightings}. Examinez-y les points et la trajectoire.</translation>
+        <translation>Écartées de la réponse, parce que les autres observations les contredisent : {sightings}. Examinez-y les points et la trajectoire.</translation>
     </message>
     <message>
         <source>Line {line} fits another boresight than the other lines (roll {roll:n} deg, pitch {pitch:n} deg and yaw {yaw:n} deg): it may be of a second scanner, or the mounting moved. Calibrate it apart from the others, or exclude it.</source>
@@ -2330,11 +2326,11 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>Takes part though the other sightings contradict it: {sightings:list}.</source>
-        <translation>Prend part au calcul bien que les autres vues la contredisent : {sightings}.</translation>
+        <translation>Prend part au calcul bien que les autres observations la contredisent : {sightings}.</translation>
     </message>
     <message>
         <source>Take part though the other sightings contradict them: {sightings:list}.</source>
-        <translation>Prennent part au calcul bien que les autres vues les contredisent : {sightings}.</translation>
+        <translation>Prennent part au calcul bien que les autres observations les contredisent : {sightings}.</translation>
     </message>
     <message>
         <source>{target:name} on line {line:name} (off by {off:n} mm, w {w:n})</source>
@@ -2556,15 +2552,15 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <name>missing</name>
     <message>
         <source>no plane at the seed</source>
-        <translation>aucun plan au germe</translation>
+        <translation>aucun plan au point initial</translation>
     </message>
     <message>
         <source>The line has only {points:n} points within {reach:n} m of the seed.</source>
-        <translation>La ligne n&apos;a que {points} points à moins de {reach} m du germe.</translation>
+        <translation>La ligne n&apos;a que {points} points à moins de {reach} m du point initial.</translation>
     </message>
     <message>
         <source>The line has no points within {reach:n} m of the seed.</source>
-        <translation>La ligne n&apos;a aucun point à moins de {reach} m du germe.</translation>
+        <translation>La ligne n&apos;a aucun point à moins de {reach} m du point initial.</translation>
     </message>
     <message>
         <source>Nothing in this line resembles the target and its surroundings.</source>
@@ -2604,19 +2600,19 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>Two planes {apart:n} m apart resemble the target equally; set a seed of its own for this line.</source>
-        <translation>Deux plans distants de {apart} m ressemblent également à la cible ; placez un germe propre à cette ligne.</translation>
+        <translation>Deux plans distants de {apart} m ressemblent également à la cible ; placez un point initial propre à cette ligne.</translation>
     </message>
     <message>
         <source>Two spheres {apart:n} m apart resemble the target equally; set a seed of its own for this line.</source>
-        <translation>Deux sphères distantes de {apart} m ressemblent également à la cible ; placez un germe propre à cette ligne.</translation>
+        <translation>Deux sphères distantes de {apart} m ressemblent également à la cible ; placez un point initial propre à cette ligne.</translation>
     </message>
     <message>
         <source>The seed must be three numbers: north, west and up, in metres.</source>
-        <translation>Le germe doit être trois nombres : nord, ouest et haut, en mètres.</translation>
+        <translation>Le point initial doit être trois nombres : nord, ouest et haut, en mètres.</translation>
     </message>
     <message>
         <source>Only {points:n} points lie within {radius:n} m of {place}, fewer than the {least:n} a target needs; move the seed or enlarge the radius.</source>
-        <translation>Il n&apos;y a que {points} points à moins de {radius} m de {place}, moins que les {least} qu&apos;il faut à une cible ; déplacez le germe ou agrandissez le rayon.</translation>
+        <translation>Il n&apos;y a que {points} points à moins de {radius} m de {place}, moins que les {least} qu&apos;il faut à une cible ; déplacez le point initial ou agrandissez le rayon.</translation>
     </message>
     <message>
         <source>No points lie within {radius:n} m of {place}.</source>
@@ -2684,7 +2680,7 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>Only {points:n} points lie within {reach:n} m of {place}, where a sphere {sought} would be, fewer than the {least:n} a target needs; set the seed on the ball.</source>
-        <translation>Il n&apos;y a que {points} points à moins de {reach} m de {place}, là où serait une sphère {sought}, moins que les {least} qu&apos;il faut à une cible ; placez le germe sur la sphère.</translation>
+        <translation>Il n&apos;y a que {points} points à moins de {reach} m de {place}, là où serait une sphère {sought}, moins que les {least} qu&apos;il faut à une cible ; placez le point initial sur la sphère.</translation>
     </message>
     <message>
         <source>No sphere {sought} holds the points around {place} within {threshold:n} m.</source>
@@ -2708,7 +2704,7 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     </message>
     <message>
         <source>The nearest sphere lies {distance:n} m from {place}; set the seed on the ball.</source>
-        <translation>La sphère la plus proche est à {distance} m de {place} ; placez le germe sur la sphère.</translation>
+        <translation>La sphère la plus proche est à {distance} m de {place} ; placez le point initial sur la sphère.</translation>
     </message>
     <message>
         <source>A sphere {sought} around {place} touches {points:n} points, but the surface goes on beside it with {more:n} more: it is no ball, or one of another radius or with more noise than the threshold allows.</source>
@@ -3220,8 +3216,8 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
 <context>
     <name>standards</name>
     <message>
-        <source>Figures in the words of standards</source>
-        <translation>Chiffres dans les termes des normes</translation>
+        <source>Uncertainty in standard terms</source>
+        <translation>Incertitudes au sens des normes</translation>
     </message>
     <message>
         <source>Uncertainty in the wording of IHO S-44: contribution of the boresight alone, 95 %</source>
@@ -3681,8 +3677,8 @@ lignes</translation>
         <translation>une latence de {n} ms</translation>
     </message>
     <message>
-        <source>The POS errors were taken as independent (thesis mode): these sigmas are several times too small.</source>
-        <translation>Les erreurs du POS ont été prises comme indépendantes (mode de la thèse) : ces écarts-types sont plusieurs fois trop petits.</translation>
+        <source>The POS errors were taken as uncorrelated: these sigmas are several times too small.</source>
+        <translation>Les erreurs du POS ont été prises comme non corrélées : ces écarts-types sont plusieurs fois trop petits.</translation>
     </message>
     <message>
         <source>Scanner X</source>
@@ -4126,8 +4122,8 @@ at {distance:n} m</source>
     <message>
         <source>Longest
 gap (s)</source>
-        <translation>Plus long
-trou (s)</translation>
+        <translation>Plus longue
+lacune (s)</translation>
     </message>
     <message>
         <source>Horizontal
@@ -4282,8 +4278,8 @@ trou (s)</translation>
         <translation>Patch test</translation>
     </message>
     <message>
-        <source>Second opinions</source>
-        <translation>Autres avis</translation>
+        <source>Alternative methods</source>
+        <translation>Méthodes alternatives</translation>
     </message>
     <message>
         <source>What other methods say of the same lines: the validation planes adjusted as if they were targets (natural planes), surfaces of the scene that no one picked (targetless), lines turned until they meet on objects (patch test). The targets take part in none of them.</source>

@@ -8,8 +8,8 @@
         <translation>&amp;Patch test LiDAR</translation>
     </message>
     <message>
-        <source>Lay lines onto each other about objects: a second opinion on the boresight</source>
-        <translation>Superposer les lignes autour d&apos;objets : un second avis sur les angles de visée</translation>
+        <source>Align lines on objects: an alternative method for the boresight</source>
+        <translation>Aligner les lignes sur des objets : une méthode alternative pour les angles de visée</translation>
     </message>
     <message>
         <source>Object &amp;for the patch test</source>
@@ -216,8 +216,8 @@
         <translation>Garder cette réponse</translation>
     </message>
     <message>
-        <source>Keep what was found as a second opinion in the project</source>
-        <translation>Garder ce qui a été trouvé comme second avis dans le projet</translation>
+        <source>Keep the result in the project as an alternative method</source>
+        <translation>Garder le résultat dans le projet comme méthode alternative</translation>
     </message>
     <message>
         <source>keep the patch test</source>
@@ -270,12 +270,12 @@
         <translation>{when} ; le projet a été enregistré plus tard, le {saved}</translation>
     </message>
     <message>
-        <source>Bring it back</source>
-        <translation>Le récupérer</translation>
+        <source>Restore</source>
+        <translation>Restaurer</translation>
     </message>
     <message>
-        <source>Forget it</source>
-        <translation>L&apos;oublier</translation>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
     </message>
     <message>
         <source>{name} is open in another window already.</source>
@@ -290,8 +290,8 @@
         <translation>Il est ouvert ailleurs : {where}. De deux fenêtres, celle qui enregistre en dernier écrase l&apos;autre, et le travail non enregistré de la seconde n&apos;est pas protégé contre un plantage.</translation>
     </message>
     <message>
-        <source>0.01 deg aside parts the lines by {parted}</source>
-        <translation>0,01 deg à côté sépare les lignes de {parted}</translation>
+        <source>0.01 deg error = {parted} misalignment</source>
+        <translation>0,01° d&apos;erreur = {parted} de décalage</translation>
     </message>
     <message>
         <source>another inclination is missing</source>
@@ -378,8 +378,8 @@
         <translation>Ne pas enregistrer</translation>
     </message>
     <message>
-        <source>Without saving, what was changed since is lost.</source>
-        <translation>Sans enregistrement, ce qui a été modifié depuis est perdu.</translation>
+        <source>Unsaved changes will be lost.</source>
+        <translation>Les modifications non enregistrées seront perdues.</translation>
     </message>
     <message>
         <source>{name:kept} cannot find {counted} it was made from.</source>
@@ -672,8 +672,8 @@
         <translation>Aucun projet pour l&apos;instant</translation>
     </message>
     <message>
-        <source>Forget these</source>
-        <translation>Vider la liste</translation>
+        <source>Clear recent projects</source>
+        <translation>Effacer les projets récents</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -721,15 +721,15 @@
     </message>
     <message>
         <source>Type the coordinates of a seed, in the local frame or on the map</source>
-        <translation>Saisir les coordonnées d&apos;un germe, dans le repère local ou sur la carte</translation>
+        <translation>Saisir les coordonnées d&apos;un point initial, dans le repère local ou sur la carte</translation>
     </message>
     <message>
         <source>Seeds &amp;from a file…</source>
-        <translation>Germes d&apos;un &amp;fichier…</translation>
+        <translation>Points initiaux d&apos;un &amp;fichier…</translation>
     </message>
     <message>
         <source>Seed list</source>
-        <translation>Liste de germes</translation>
+        <translation>Liste de points initiaux</translation>
     </message>
     <message>
         <source>Pick all targets of a list of coordinates, from a total station for example</source>
@@ -760,16 +760,16 @@
         <translation>&amp;Accepter le plan trouvé</translation>
     </message>
     <message>
-        <source>Keep the plane just found</source>
-        <translation>Garder le plan qui vient d&apos;être trouvé</translation>
+        <source>Accept the detected plane</source>
+        <translation>Accepter le plan détecté</translation>
     </message>
     <message>
         <source>Re&amp;ject the plane found</source>
         <translation>Re&amp;jeter le plan trouvé</translation>
     </message>
     <message>
-        <source>Let the plane just found go</source>
-        <translation>Abandonner le plan qui vient d&apos;être trouvé</translation>
+        <source>Discard the detected plane</source>
+        <translation>Abandonner le plan détecté</translation>
     </message>
     <message>
         <source>&amp;Estimate boresight</source>
@@ -905,7 +905,7 @@
     </message>
     <message>
         <source>Bring the selected target or sighting into view</source>
-        <translation>Faire entrer la cible ou la vue sélectionnée dans la vue 3D</translation>
+        <translation>Faire entrer la cible ou l&apos;observation sélectionnée dans la vue 3D</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -1472,11 +1472,11 @@
     </message>
     <message>
         <source>set a seed on a target</source>
-        <translation>poser un germe sur une cible</translation>
+        <translation>poser un point initial sur une cible</translation>
     </message>
     <message>
         <source>type the coordinates of a seed, read a list of them</source>
-        <translation>saisir les coordonnées d&apos;un germe, lire une liste de germes</translation>
+        <translation>saisir les coordonnées d&apos;un point initial, lire une liste de points initiaux</translation>
     </message>
     <message>
         <source>Enter, Esc</source>
@@ -1492,7 +1492,7 @@
     </message>
     <message>
         <source>next seed is an adjustment target, a validation plane</source>
-        <translation>le prochain germe est celui d&apos;une cible, d&apos;un plan de validation</translation>
+        <translation>le prochain point initial est celui d&apos;une cible, d&apos;un plan de validation</translation>
     </message>
     <message>
         <source>target to validation plane, or the other way round</source>
@@ -1671,8 +1671,8 @@
         <translation>Avancé : {what}</translation>
     </message>
     <message>
-        <source>Estimate also: {what:kept}</source>
-        <translation>Estimer aussi : {what}</translation>
+        <source>Additional parameters: {what:kept}</source>
+        <translation>Paramètres supplémentaires : {what}</translation>
     </message>
     <message>
         <source>More: {what:kept}</source>
@@ -1833,11 +1833,11 @@
         <translation>Placement des lignes</translation>
     </message>
     <message>
-        <source>Seeking {name:kept} on every line</source>
+        <source>Searching for {name:kept} on every line</source>
         <translation>Recherche de {name} sur toutes les lignes</translation>
     </message>
     <message>
-        <source>Seeking {name:kept} on {line:kept}</source>
+        <source>Searching for {name:kept} on {line:kept}</source>
         <translation>Recherche de {name} sur {line}</translation>
     </message>
     <message>
@@ -1942,7 +1942,7 @@
     </message>
     <message>
         <source>Judging the sightings</source>
-        <translation>Évaluation des vues</translation>
+        <translation>Évaluation des observations</translation>
     </message>
     <message>
         <source>Judging {name:kept}</source>
@@ -2001,8 +2001,8 @@
         <translation>Sélectionnez d&apos;abord une cible : cliquez-la dans la liste des cibles ou dans le tableau</translation>
     </message>
     <message>
-        <source>No point there: Ctrl+click right on a target</source>
-        <translation>Aucun point ici : faites Ctrl+clic sur une cible même</translation>
+        <source>No point under the cursor. Ctrl+click on a target.</source>
+        <translation>Aucun point sous le curseur. Faites Ctrl+clic sur une cible.</translation>
     </message>
     <message>
         <source>{title}: cancelled</source>
@@ -2130,26 +2130,26 @@
     </message>
     <message>
         <source>Picking 1 seed of {file:kept}</source>
-        <translation>Recherche d&apos;un germe de {file}</translation>
+        <translation>Recherche d&apos;un point initial de {file}</translation>
     </message>
     <message>
         <source>Picking {n:n} seeds of {file:kept}</source>
-        <translation>Recherche de {n} germes de {file}</translation>
+        <translation>Recherche de {n} points initiaux de {file}</translation>
     </message>
     <message>
         <source>seeds of {file:kept}</source>
-        <translation>germes de {file}</translation>
+        <translation>points initiaux de {file}</translation>
     </message>
     <message>
         <source>{some:n} of {all:n} seeds of {file:kept} led to a target</source>
-        <translation>{some} germes sur {all} de {file} ont donné une cible</translation>
+        <translation>{some} points initiaux sur {all} de {file} ont donné une cible</translation>
     </message>
     <message>
-        <source>All are sought as planes on every line, with search radius, threshold and the rest as set in step 2.</source>
+        <source>All are searched for as planes on every line, with search radius, threshold and the rest as set in step 2.</source>
         <translation>Tous sont cherchés comme plans sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2.</translation>
     </message>
     <message>
-        <source>All are sought as spheres, validation planes on every line, with search radius, threshold and the rest as set in step 2.</source>
+        <source>All are searched for as spheres, validation planes on every line, with search radius, threshold and the rest as set in step 2.</source>
         <translation>Tous sont cherchés comme sphères, les plans de validation comme plans, sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2.</translation>
     </message>
     <message>
@@ -2217,8 +2217,8 @@
         <translation>La boîte de découpe cachait {what} ; elle l&apos;entoure maintenant</translation>
     </message>
     <message>
-        <source>{sentence}: a second is missing</source>
-        <translation>{sentence} : il en manque une seconde</translation>
+        <source>{sentence}: second target required</source>
+        <translation>{sentence} : seconde cible requise</translation>
     </message>
     <message>
         <source>a second target is missing</source>
@@ -2513,7 +2513,7 @@
     </message>
     <message>
         <source>Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed</source>
-        <translation>Glisser : tourner · Maj : déplacer · Molette : zoom · Ctrl+clic : germe</translation>
+        <translation>Glisser : tourner · Maj : déplacer · Molette : zoom · Ctrl+clic : point initial</translation>
     </message>
     <message>
         <source>Histograms</source>
@@ -2913,8 +2913,8 @@
         <translation>Chercher de nouveau {name}</translation>
     </message>
     <message>
-        <source>{name:kept} is sought at its seed on every line with these settings. What is found is offered in place of the present one.</source>
-        <translation>{name} est cherchée à son germe sur toutes les lignes avec ces réglages. Ce qui est trouvé est proposé à la place de l&apos;actuelle.</translation>
+        <source>{name:kept} is searched for at its seed on every line with these settings. What is found is offered in place of the present one.</source>
+        <translation>{name} est cherchée à son point initial sur toutes les lignes avec ces réglages. Ce qui est trouvé est proposé à la place de l&apos;actuelle.</translation>
     </message>
     <message>
         <source>Farthest a point may lie from its plane or sphere: less keeps rough edges out, more takes in a rough or smeared surface</source>
@@ -2922,7 +2922,7 @@
     </message>
     <message>
         <source>Only points this near to the seed can belong to the target</source>
-        <translation>Seuls des points à cette distance du germe au plus peuvent appartenir à la cible</translation>
+        <translation>Seuls des points à cette distance du point initial au plus peuvent appartenir à la cible</translation>
     </message>
 </context>
 <context>
@@ -3222,8 +3222,8 @@
         <translation>Comment le fichier est lu, et ce qu&apos;il contient</translation>
     </message>
     <message>
-        <source>Nothing to doubt in this file.</source>
-        <translation>Rien de douteux dans ce fichier.</translation>
+        <source>No problems found.</source>
+        <translation>Aucun problème constaté.</translation>
     </message>
     <message>
         <source>First rows – choose over each column what it is</source>
@@ -3446,8 +3446,8 @@
         <translation>Note</translation>
     </message>
     <message>
-        <source>Fine</source>
-        <translation>Bon</translation>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
     <message>
         <source>1 doubt</source>
@@ -3578,8 +3578,8 @@
         <translation>Ordre des octets</translation>
     </message>
     <message>
-        <source>Times restart</source>
-        <translation>Reprise des temps</translation>
+        <source>Time rollover</source>
+        <translation>Retour à zéro du temps</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -3594,8 +3594,8 @@
         <translation>à la fin de la semaine</translation>
     </message>
     <message>
-        <source>as found by the times</source>
-        <translation>d&apos;après les temps</translation>
+        <source>automatic</source>
+        <translation>automatique</translation>
     </message>
     <message>
         <source>by the system</source>
@@ -3715,19 +3715,19 @@
         <translation>Désigner par coordonnées</translation>
     </message>
     <message>
-        <source>The plane at this place is sought on every line, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <source>The plane at this place is searched for on every line, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
         <translation>Le plan à cet endroit est cherché sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
     </message>
     <message>
-        <source>The sphere at this place is sought on every line, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <source>The sphere at this place is searched for on every line, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
         <translation>La sphère à cet endroit est cherchée sur toutes les lignes, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
     </message>
     <message>
-        <source>The plane at this place is sought on {line:kept} only, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <source>The plane at this place is searched for on {line:kept} only, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
         <translation>Le plan à cet endroit n&apos;est cherché que sur {line}, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
     </message>
     <message>
-        <source>The sphere at this place is sought on {line:kept} only, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
+        <source>The sphere at this place is searched for on {line:kept} only, with search radius, threshold and the rest as set in step 2. What is found is offered.</source>
         <translation>La sphère à cet endroit n&apos;est cherchée que sur {line}, avec le rayon de recherche, le seuil et le reste réglés à l&apos;étape 2. Ce qui est trouvé est proposé.</translation>
     </message>
     <message>
@@ -3736,7 +3736,7 @@
     </message>
     <message>
         <source>There is a {name:kept} already; give the seed another name.</source>
-        <translation>Il y a déjà une cible {name} ; donnez un autre nom au germe.</translation>
+        <translation>Il y a déjà une cible {name} ; donnez un autre nom au point initial.</translation>
     </message>
     <message>
         <source>{axis}: “{text:kept}” is not a number.</source>
@@ -3804,7 +3804,7 @@
     </message>
     <message>
         <source>Seeds from {file:kept}</source>
-        <translation>Germes de {file}</translation>
+        <translation>Points initiaux de {file}</translation>
     </message>
     <message>
         <source>The role is that of the list, or goes by the name: what begins with V is a validation plane.</source>
@@ -3820,7 +3820,7 @@
     </message>
     <message>
         <source>Seeds that were read</source>
-        <translation>Germes lus</translation>
+        <translation>Points initiaux lus</translation>
     </message>
     <message>
         <source>Pick nothing</source>
@@ -3840,11 +3840,11 @@
     </message>
     <message>
         <source>Seeds picked</source>
-        <translation>Germes désignés</translation>
+        <translation>Points initiaux désignés</translation>
     </message>
     <message>
         <source>{n:n} of {all:n} seeds led to a target.</source>
-        <translation>{n} germes sur {all} ont donné une cible.</translation>
+        <translation>{n} points initiaux sur {all} ont donné une cible.</translation>
     </message>
     <message>
         <source>One undo step takes all of them back.</source>
@@ -3860,7 +3860,7 @@
     </message>
     <message>
         <source>Seeds from a file</source>
-        <translation>Germes d&apos;un fichier</translation>
+        <translation>Points initiaux d&apos;un fichier</translation>
     </message>
     <message>
         <source>Lists of coordinates (*.txt *.csv *.asc *.xyz *.pts *.dat);;All files (*)</source>
@@ -3962,10 +3962,6 @@
         <translation>Enregistrer les modifications de {name} ?</translation>
     </message>
     <message>
-        <source>Without saving, what was picked and computed since is lost.</source>
-        <translation>Sans enregistrement, ce qui a été désigné et calculé depuis est perdu.</translation>
-    </message>
-    <message>
         <source>{name:kept} was found and is not accepted yet.</source>
         <translation>{name} a été trouvée et n&apos;est pas encore acceptée.</translation>
     </message>
@@ -4001,12 +3997,12 @@
 <context>
     <name>subsampling dialog</name>
     <message>
-        <source>Between points (m)</source>
-        <translation>Entre points (m)</translation>
+        <source>Point spacing (m)</source>
+        <translation>Espacement des points (m)</translation>
     </message>
     <message>
         <source>Points of a sighting nearer together are averaged</source>
-        <translation>Les points d&apos;une vue plus rapprochés sont moyennés</translation>
+        <translation>Les points d&apos;une observation plus rapprochés sont moyennés</translation>
     </message>
     <message>
         <source>That took part; averaged ones count once</source>
@@ -4022,7 +4018,7 @@
     </message>
     <message>
         <source>The same sightings adjusted with points nearer together and farther apart. Points of one sighting share the errors of the POS: where the sigmas no longer shrink, more points only take time. The project stays as it is.</source>
-        <translation>Les mêmes vues compensées avec des points plus rapprochés et plus espacés. Les points d&apos;une vue partagent les erreurs du POS : là où les écarts-types ne diminuent plus, davantage de points ne font que prendre du temps. Le projet reste tel quel.</translation>
+        <translation>Les mêmes observations compensées avec des points plus rapprochés et plus espacés. Les points d&apos;une observation partagent les erreurs du POS : là où les écarts-types ne diminuent plus, davantage de points ne font que prendre du temps. Le projet reste tel quel.</translation>
     </message>
     <message>
         <source>In orange: the {n:n} m of the project&apos;s settings.</source>
@@ -4246,16 +4242,16 @@
         <translation>Lacet a priori du LiDAR dans le repère du navire, en degrés, positif dans le sens horaire vu d&apos;en haut</translation>
     </message>
     <message>
-        <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The plane is sought on every line.</source>
+        <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The plane is searched for on every line.</source>
         <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez sur une cible dans la vue 3D. Le plan est cherché sur toutes les lignes.</translation>
     </message>
     <message>
-        <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The sphere is sought on every line.</source>
+        <source>Hold &lt;b&gt;Ctrl&lt;/b&gt; and click a target in the view. The sphere is searched for on every line.</source>
         <translation>Maintenez &lt;b&gt;Ctrl&lt;/b&gt; et cliquez sur une cible dans la vue 3D. La sphère est cherchée sur toutes les lignes.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Ctrl&lt;/b&gt;+click gives {name:kept} a sighting of its own on {line:kept}; its other lines stay as they are.</source>
-        <translation>&lt;b&gt;Ctrl&lt;/b&gt;+clic donne à {name} une vue à elle sur {line} ; ses autres lignes restent telles quelles.</translation>
+        <translation>&lt;b&gt;Ctrl&lt;/b&gt;+clic donne à {name} une observation à elle sur {line} ; ses autres lignes restent telles quelles.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Ctrl&lt;/b&gt;+click seeks a new plane on {line:kept} only. To add the line to a target, select the target in the list first.</source>
@@ -4298,7 +4294,7 @@
         <translation>Forme de la cible ; les lignes ne sont comparées que sur des plans, une cible de validation en est donc un</translation>
     </message>
     <message>
-        <source>Radius of the ball, not its diameter; 0 where it is unknown: balls of {low:n} to {high:n} m are then sought and the radius is estimated</source>
+        <source>Radius of the ball, not its diameter; 0 where it is unknown: balls of {low:n} to {high:n} m are then searched for and the radius is estimated</source>
         <translation>Rayon de la sphère, non son diamètre ; 0 s&apos;il est inconnu : des sphères de {low} à {high} m sont alors cherchées et le rayon est estimé</translation>
     </message>
     <message>
@@ -4307,7 +4303,7 @@
     </message>
     <message>
         <source>Only points this near to the seed can belong to the target; 0 leaves it to the program</source>
-        <translation>Seuls des points à cette distance du germe au plus peuvent appartenir à la cible ; 0 laisse le choix au programme</translation>
+        <translation>Seuls des points à cette distance du point initial au plus peuvent appartenir à la cible ; 0 laisse le choix au programme</translation>
     </message>
     <message>
         <source>Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the larger of {least:n} mm and 3 × the LiDAR noise, for spheres at least {sphere:n} mm (a small ball: 0.3 of its radius)</source>
@@ -4343,7 +4339,7 @@
     </message>
     <message>
         <source>Type the coordinates of a seed, in the local frame or on the map (F3)</source>
-        <translation>Saisir les coordonnées d&apos;un germe, dans le repère local ou sur la carte (F3)</translation>
+        <translation>Saisir les coordonnées d&apos;un point initial, dans le repère local ou sur la carte (F3)</translation>
     </message>
     <message>
         <source>Pick all targets of a list of coordinates (Shift+F3)</source>
@@ -4525,16 +4521,16 @@
         <translation>L&apos;erreur du POS dérive lentement : des points voisins la partagent. Les écarts-types sont réalistes.</translation>
     </message>
     <message>
-        <source>Independent for each point (thesis mode)</source>
-        <translation>Indépendantes par point (mode de la thèse)</translation>
+        <source>Uncorrelated POS errors (classical)</source>
+        <translation>Erreurs du POS non corrélées (classique)</translation>
     </message>
     <message>
         <source>Every point has a POS error of its own. For comparison only: the sigmas come out several times too small.</source>
         <translation>Chaque point a sa propre erreur du POS. Pour comparaison seulement : les écarts-types sont plusieurs fois trop petits.</translation>
     </message>
     <message>
-        <source>Estimate also</source>
-        <translation>Estimer aussi</translation>
+        <source>Additional parameters</source>
+        <translation>Paramètres supplémentaires</translation>
     </message>
     <message>
         <source>Advanced</source>
@@ -4590,15 +4586,15 @@
     </message>
     <message>
         <source>Points of a sighting nearer to each other than this are thinned; 0 keeps all</source>
-        <translation>Les points d&apos;une vue plus proches entre eux sont éclaircis ; 0 les garde tous</translation>
+        <translation>Les points d&apos;une observation plus proches entre eux sont éclaircis ; 0 les garde tous</translation>
     </message>
     <message>
         <source>Unit of the distance</source>
         <translation>Unité de la distance</translation>
     </message>
     <message>
-        <source>Point distance</source>
-        <translation>Distance des points</translation>
+        <source>Point spacing</source>
+        <translation>Espacement des points</translation>
     </message>
     <message>
         <source>How long the POS error stays like itself. Position drifts over minutes, attitude more slowly. Where the processing report states correlation times, use them; too short a time is safer than too long a one.</source>
@@ -4609,8 +4605,8 @@
         <translation>Selon le modèle</translation>
     </message>
     <message>
-        <source>Tukey with correlated POS errors, none in thesis mode</source>
-        <translation>Tukey avec des erreurs du POS corrélées, aucune en mode de la thèse</translation>
+        <source>Tukey with correlated POS errors, none with uncorrelated ones</source>
+        <translation>Tukey avec des erreurs du POS corrélées, aucune sans corrélation</translation>
     </message>
     <message>
         <source>All points alike</source>
@@ -4758,7 +4754,7 @@
     </message>
     <message>
         <source>Variance components: the sigmas of LiDAR, POS position and POS attitude are scaled by what the data say. With few sightings the data say little of the POS.</source>
-        <translation>Composantes de variance : les écarts-types du LiDAR, de la position et de l&apos;attitude du POS sont mis à l&apos;échelle d&apos;après les données. Avec peu de vues, les données disent peu du POS.</translation>
+        <translation>Composantes de variance : les écarts-types du LiDAR, de la position et de l&apos;attitude du POS sont mis à l&apos;échelle d&apos;après les données. Avec peu d&apos;observations, les données disent peu du POS.</translation>
     </message>
     <message>
         <source>For boards that all hang on one wall, or a single one. Only the headings of the lines tell the angles apart then, and nothing shows whether a board is bent or moved. A target of another inclination, or a sphere, is better.</source>
@@ -4884,8 +4880,8 @@
         <translation>Point le plus proche</translation>
     </message>
     <message>
-        <source>The lines are compared with each other, cloud to cloud, on planes that took no part in the adjustment.</source>
-        <translation>Les lignes sont comparées entre elles, nuage à nuage, sur des plans qui n&apos;ont pas servi à la compensation.</translation>
+        <source>The lines are compared with each other, cloud to cloud, on planes not used in the adjustment.</source>
+        <translation>Les lignes sont comparées entre elles, nuage à nuage, sur des plans non utilisés dans la compensation.</translation>
     </message>
     <message>
         <source>What stands for the surface between the points of a line. A plane suits walls and boards, a quadric what bends; to the nearest point the spacing of the points counts as distance</source>
@@ -4951,12 +4947,8 @@
         <translation>Langue du rapport ; les nombres gardent le point décimal, le JSON reste en anglais</translation>
     </message>
     <message>
-        <source>As the window</source>
+        <source>Same as window</source>
         <translation>Comme la fenêtre</translation>
-    </message>
-    <message>
-        <source>This program alone</source>
-        <translation>Ce programme seul</translation>
     </message>
     <message>
         <source>Also state the boresight as another program has it</source>
@@ -4979,8 +4971,8 @@
         <translation>Page</translation>
     </message>
     <message>
-        <source>Values also for</source>
-        <translation>Valeurs aussi pour</translation>
+        <source>Also give angles for</source>
+        <translation>Donner aussi les angles pour</translation>
     </message>
     <message>
         <source>Template</source>
@@ -5046,8 +5038,8 @@
         <translation>Non calculé.</translation>
     </message>
     <message>
-        <source>RMS of distances</source>
-        <translation>RMS des distances</translation>
+        <source>RMS point-to-plane</source>
+        <translation>RMS point-plan</translation>
     </message>
     <message>
         <source>Chi-square test</source>
@@ -5055,7 +5047,7 @@
     </message>
     <message>
         <source>Points, sightings</source>
-        <translation>Points, vues</translation>
+        <translation>Points, observations</translation>
     </message>
     <message>
         <source>Iterations, time</source>
@@ -5074,8 +5066,8 @@
         <translation>{iterations}, {time} s</translation>
     </message>
     <message>
-        <source>independent (thesis mode)</source>
-        <translation>indépendantes (mode de la thèse)</translation>
+        <source>uncorrelated (classical)</source>
+        <translation>non corrélées (classique)</translation>
     </message>
     <message>
         <source>correlated, {a:n} s and {b:n} s</source>
@@ -5131,55 +5123,27 @@
     </message>
     <message>
         <source>Leave a sighting out if its points are of another surface.</source>
-        <translation>Écartez une vue si ses points sont d&apos;une autre surface.</translation>
+        <translation>Écartez une observation si ses points sont d&apos;une autre surface.</translation>
     </message>
     <message>
         <source>See the cross-checks under Diagnostics.</source>
         <translation>Voyez les vérifications croisées sous Diagnostics.</translation>
     </message>
     <message>
-        <source>none seen</source>
-        <translation>aucun constaté</translation>
+        <source>not detected</source>
+        <translation>non détecté</translation>
     </message>
     <message>
         <source>held at 0</source>
         <translation>fixé à 0</translation>
     </message>
     <message>
-        <source>1 stray</source>
-        <translation>1 aberrant</translation>
+        <source>1 outlier</source>
+        <translation>1 point aberrant</translation>
     </message>
     <message>
-        <source>{n:n} strays</source>
-        <translation>{n} aberrants</translation>
-    </message>
-    <message>
-        <source>The residuals are as large as the stated sigmas say.</source>
-        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés.</translation>
-    </message>
-    <message>
-        <source>The residuals are as large as the stated sigmas say: the uncertainties can be used.</source>
-        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés : les incertitudes peuvent être employées.</translation>
-    </message>
-    <message>
-        <source>The residuals are as large as the stated sigmas say, once the targets may differ by {n:n} mm from line to line.</source>
-        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés, dès lors que les cibles peuvent différer de {n} mm d&apos;une ligne à l&apos;autre.</translation>
-    </message>
-    <message>
-        <source>The residuals are as large as the stated sigmas say, once the targets may differ by {n:n} mm from line to line: the uncertainties can be used.</source>
-        <translation>Les résidus sont aussi grands que le disent les écarts-types déclarés, dès lors que les cibles peuvent différer de {n} mm d&apos;une ligne à l&apos;autre : les incertitudes peuvent être employées.</translation>
-    </message>
-    <message>
-        <source>The residuals are larger than the stated sigmas say. Look for a target that is not flat or a sighting that holds other points, or state larger sigmas.</source>
-        <translation>Les résidus sont plus grands que ne le disent les écarts-types déclarés. Cherchez une cible qui n&apos;est pas plane ou une vue contenant d&apos;autres points, ou déclarez des écarts-types plus grands.</translation>
-    </message>
-    <message>
-        <source>The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are stated too large.</source>
-        <translation>Les résidus sont plus petits que ne le disent les écarts-types déclarés : ceux du LiDAR ou du POS sont déclarés trop grands.</translation>
-    </message>
-    <message>
-        <source>The residuals are smaller than the stated sigmas say: the sigmas of LiDAR or POS are stated too large, so the uncertainties are on the safe side.</source>
-        <translation>Les résidus sont plus petits que ne le disent les écarts-types déclarés : ceux du LiDAR ou du POS sont déclarés trop grands, les incertitudes sont donc du côté de la sécurité.</translation>
+        <source>{n:n} outliers</source>
+        <translation>{n} points aberrants</translation>
     </message>
     <message>
         <source>{words} Errors by the data: {components}.</source>
@@ -5214,7 +5178,7 @@
     </message>
     <message>
         <source>Nothing estimated yet: press Estimate in step 3, and the estimated POS error of each sighting appears, against its prior sigma, here.</source>
-        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et l&apos;erreur du POS estimée pour chaque vue apparaîtra ici, face à son écart-type a priori.</translation>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et l&apos;erreur du POS estimée pour chaque observation apparaîtra ici, face à son écart-type a priori.</translation>
     </message>
     <message>
         <source>Nothing estimated yet: press Estimate in step 3, and how well lines and targets see the angles appears here.</source>
@@ -5222,7 +5186,7 @@
     </message>
     <message>
         <source>Nothing estimated yet: press Estimate in step 3, and the residuals and tests of every sighting appear here.</source>
-        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et les résidus et tests de chaque vue apparaîtront ici.</translation>
+        <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et les résidus et tests de chaque observation apparaîtront ici.</translation>
     </message>
     <message>
         <source>Nothing estimated yet: press Estimate in step 3, and the residuals of every target appear here.</source>
@@ -5237,8 +5201,8 @@
         <translation>Rien n&apos;est encore estimé : cliquez sur Estimer à l&apos;étape 3, et ce que disent séparément des parties des données apparaîtra ici.</translation>
     </message>
     <message>
-        <source>Thesis mode does not work this out: choose “Correlated in time” in step 3 and estimate.</source>
-        <translation>Le mode de la thèse ne calcule pas cela : choisissez « Corrélées dans le temps » à l&apos;étape 3 et estimez.</translation>
+        <source>Not available with uncorrelated POS errors. Choose “Correlated in time” in step 3 and estimate.</source>
+        <translation>Indisponible avec des erreurs du POS non corrélées. Choisissez « Corrélées dans le temps » à l&apos;étape 3 et estimez.</translation>
     </message>
     <message>
         <source>Convergence</source>
@@ -5310,7 +5274,7 @@
     </message>
     <message>
         <source>By how much the sighting as a whole lies off what all others say, mm</source>
-        <translation>De combien la vue entière s&apos;écarte de ce que disent toutes les autres, mm</translation>
+        <translation>De combien l&apos;observation entière s&apos;écarte de ce que disent toutes les autres, mm</translation>
     </message>
     <message>
         <source>The shift over its standard deviation (Baarda&apos;s test)</source>
@@ -5362,7 +5326,7 @@
     </message>
     <message>
         <source>Largest test value of its sightings</source>
-        <translation>Plus grande valeur de test de ses vues</translation>
+        <translation>Plus grande valeur de test de ses observations</translation>
     </message>
     <message>
         <source>Detectable</source>
@@ -5501,7 +5465,7 @@
         <translation>w au-delà de {n}</translation>
     </message>
     <message>
-        <source>many stray points</source>
+        <source>many outliers</source>
         <translation>beaucoup de points aberrants</translation>
     </message>
     <message>
@@ -6027,7 +5991,7 @@ m/s</translation>
     </message>
     <message>
         <source>{line:name}: points and RMS about the sighting&apos;s own plane, in millimetres</source>
-        <translation>{line} : points et RMS par rapport au plan propre de la vue, en millimètres</translation>
+        <translation>{line} : points et RMS par rapport au plan propre de l&apos;observation, en millimètres</translation>
     </message>
     <message>
         <source>Whole line</source>
@@ -6067,7 +6031,7 @@ m/s</translation>
     </message>
     <message>
         <source>Drawn from one in {n:n} of the many points about the seed</source>
-        <translation>Tiré d&apos;un point sur {n} parmi les nombreux points autour du germe</translation>
+        <translation>Tiré d&apos;un point sur {n} parmi les nombreux points autour du point initial</translation>
     </message>
     <message>
         <source>Distance to the adjusted plane: {a} RMS before, {b} after</source>
@@ -6075,7 +6039,7 @@ m/s</translation>
     </message>
     <message>
         <source>Untick to leave this sighting out</source>
-        <translation>Décocher pour écarter cette vue</translation>
+        <translation>Décocher pour écarter cette observation</translation>
     </message>
     <message>
         <source>{n:n} points per m²</source>
@@ -6130,7 +6094,7 @@ m/s</translation>
         <translation>{name} sur {line} : {reason}</translation>
     </message>
     <message>
-        <source>not sought on this line</source>
+        <source>not searched for on this line</source>
         <translation>non cherchée sur cette ligne</translation>
     </message>
     <message>
@@ -6424,8 +6388,8 @@ m/s</translation>
         <translation>Angles de visée a priori de {name} : rien n&apos;a encore été estimé.</translation>
     </message>
     <message>
-        <source>Thesis mode: these sigmas are several times too small.</source>
-        <translation>Mode de la thèse : ces écarts-types sont plusieurs fois trop petits.</translation>
+        <source>Uncorrelated POS errors: these sigmas are several times too small.</source>
+        <translation>Erreurs du POS non corrélées : ces écarts-types sont plusieurs fois trop petits.</translation>
     </message>
     <message>
         <source>Estimated boresight of {name:kept}.</source>
@@ -6442,14 +6406,6 @@ m/s</translation>
     <message>
         <source>Grey: axes of the vessel. Coloured: axes of the scanner, the turn exaggerated by the factor shown. Drag or use the arrow keys to turn, double-click to reset.</source>
         <translation>En gris : axes du navire. En couleur : axes du scanneur, la rotation exagérée du facteur indiqué. Glissez ou prenez les flèches pour tourner, double-clic pour revenir.</translation>
-    </message>
-    <message>
-        <source>Scanner X, Y, Z: turn shown as it is</source>
-        <translation>Scanneur X, Y, Z : rotation telle quelle</translation>
-    </message>
-    <message>
-        <source>Scanner X, Y, Z: turn shown × {n:n}</source>
-        <translation>Scanneur X, Y, Z : rotation × {n}</translation>
     </message>
 </context>
 <context>
@@ -6484,19 +6440,19 @@ m/s</translation>
     </message>
     <message>
         <source>{n:n} points, {k:n} sightings</source>
-        <translation>{n} points, {k} vues</translation>
+        <translation>{n} points, {k} observations</translation>
     </message>
     <message>
         <source>{n:n} points, 1 sighting</source>
-        <translation>{n} points, 1 vue</translation>
+        <translation>{n} points, 1 observation</translation>
     </message>
     <message>
         <source>{n:n} points, {k:n} sightings; {strays} left out</source>
-        <translation>{n} points, {k} vues ; {strays} hors calcul</translation>
+        <translation>{n} points, {k} observations ; {strays} hors calcul</translation>
     </message>
     <message>
         <source>{n:n} points, 1 sighting; {strays} left out</source>
-        <translation>{n} points, 1 vue ; {strays} hors calcul</translation>
+        <translation>{n} points, 1 observation ; {strays} hors calcul</translation>
     </message>
     <message>
         <source>Lever arm X: {reason}</source>
@@ -6539,8 +6495,8 @@ m/s</translation>
         <translation>a priori {value}, non significatif</translation>
     </message>
     <message>
-        <source>prior {value}, not tested: the sigmas of thesis mode are too small</source>
-        <translation>a priori {value}, non testé : les écarts-types du mode de la thèse sont trop petits</translation>
+        <source>prior {value}, not tested: with uncorrelated POS errors the sigmas are too small</source>
+        <translation>a priori {value}, non testé : avec des erreurs du POS non corrélées les écarts-types sont trop petits</translation>
     </message>
     <message>
         <source>Lever arm there, from the POS centre: {arm:kept}</source>
@@ -6856,7 +6812,7 @@ m/s</translation>
     </message>
     <message>
         <source>random seed {n:n}</source>
-        <translation>germe aléatoire {n}</translation>
+        <translation>point initial aléatoire {n}</translation>
     </message>
 </context>
 <context>
@@ -7375,8 +7331,8 @@ m/s</translation>
         <translation>T&amp;hème</translation>
     </message>
     <message>
-        <source>&amp;As the system</source>
-        <translation>&amp;Comme le système</translation>
+        <source>&amp;System default</source>
+        <translation>&amp;Réglage du système</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -7434,8 +7390,8 @@ m/s</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
-        <source>As the system</source>
-        <translation>Comme le système</translation>
+        <source>System default</source>
+        <translation>Réglage du système</translation>
     </message>
     <message>
         <source>Language of the window; the report has its own in step 5</source>
@@ -7573,16 +7529,16 @@ m/s</translation>
         <translation>Distance (1 σ)</translation>
     </message>
     <message>
-        <source>Direction of the beam (1 σ)</source>
-        <translation>Direction du faisceau (1 σ)</translation>
+        <source>Beam angular noise (1 σ)</source>
+        <translation>Bruit angulaire du faisceau (1 σ)</translation>
     </message>
     <message>
         <source>Divergence</source>
         <translation>Divergence</translation>
     </message>
     <message>
-        <source>Another: state its figures</source>
-        <translation>Un autre : indiquez ses valeurs</translation>
+        <source>Other (enter specifications)</source>
+        <translation>Autre (saisir les caractéristiques)</translation>
     </message>
     <message>
         <source>RTK</source>
@@ -7617,8 +7573,8 @@ m/s</translation>
         <translation>Remplit les écarts-types de position et d&apos;attitude, utilisés sans fichier de précision</translation>
     </message>
     <message>
-        <source>same across</source>
-        <translation>égal en travers</translation>
+        <source>none given</source>
+        <translation>non donné</translation>
     </message>
     <message>
         <source>Sigma of the beam&apos;s direction; at 0 the noise is the same on each axis</source>
@@ -8304,16 +8260,12 @@ m/s</translation>
         <translation>indéterminé</translation>
     </message>
     <message>
-        <source>Times</source>
-        <translation>Fois</translation>
-    </message>
-    <message>
         <source>Target or line that is left out</source>
         <translation>Cible ou ligne laissée de côté</translation>
     </message>
     <message>
-        <source>Largest (deg)</source>
-        <translation>Plus grand (°)</translation>
+        <source>Largest σ (deg)</source>
+        <translation>Plus grand σ (°)</translation>
     </message>
     <message>
         <source>Largest of the three sigmas without it</source>
@@ -8349,7 +8301,7 @@ m/s</translation>
     </message>
     <message>
         <source>Points per sighting</source>
-        <translation>Points par vue</translation>
+        <translation>Points par observation</translation>
     </message>
     <message>
         <source>What each is worth</source>
@@ -8469,7 +8421,7 @@ m/s</translation>
     </message>
     <message>
         <source>Seed of chance: another one gives other surveys, the same one the same</source>
-        <translation>Germe du hasard : un autre donne d&apos;autres levés, le même les mêmes</translation>
+        <translation>Point initial du hasard : un autre donne d&apos;autres levés, le même les mêmes</translation>
     </message>
     <message>
         <source>The adjustment is told how flat the targets are</source>
@@ -8497,7 +8449,7 @@ m/s</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation>Germe</translation>
+        <translation>Point initial</translation>
     </message>
     <message>
         <source>Title of the plan</source>
@@ -8512,8 +8464,8 @@ m/s</translation>
         <translation>Classe du POS : ce qu&apos;annoncent les fiches techniques, arrondi</translation>
     </message>
     <message>
-        <source>How the adjustment takes the POS errors: drifting, or as the thesis does</source>
-        <translation>Comment la compensation prend les erreurs du POS : qui dérivent, ou comme dans la thèse</translation>
+        <source>Stochastic model of the POS errors: correlated in time, or uncorrelated</source>
+        <translation>Modèle stochastique des erreurs du POS : corrélées dans le temps, ou non corrélées</translation>
     </message>
     <message>
         <source>POS error north, 1 sigma, {low:n} to {high:n} mm</source>
@@ -9263,8 +9215,8 @@ m/s</translation>
         <translation>à examiner : {n:n}</translation>
     </message>
     <message>
-        <source>{n:n} taken for granted</source>
-        <translation>tenus pour acquis : {n:n}</translation>
+        <source>{n:n} assumptions</source>
+        <translation>hypothèses : {n}</translation>
     </message>
     <message>
         <source>Click one, or press Enter on it, to go to its cause.</source>
@@ -9439,8 +9391,8 @@ m/s</translation>
         <translation>Ce que d’autres méthodes disent des mêmes lignes ; les cibles n’ont part à aucune. Une réponse que donnent deux méthodes est plus digne de confiance. Les réponses sont gardées avec le projet et figurent dans le rapport.</translation>
     </message>
     <message>
-        <source>Ask the others</source>
-        <translation>Interroger les autres</translation>
+        <source>Run other methods</source>
+        <translation>Lancer les autres méthodes</translation>
     </message>
     <message>
         <source>Adjust the validation planes and the surfaces of the scene, and do a patch test on objects looked for; one undo step</source>
@@ -9455,8 +9407,8 @@ m/s</translation>
         <translation>Interrogation d’autres méthodes</translation>
     </message>
     <message>
-        <source>second opinions</source>
-        <translation>autres avis</translation>
+        <source>alternative methods</source>
+        <translation>méthodes alternatives</translation>
     </message>
     <message>
         <source>Targets</source>

@@ -109,7 +109,7 @@ class FilePage(QWidget):
         self._stack.setCurrentIndex(0 if entry is None else 1)
         if entry is None:
             return
-        fine = "" if entry.pending or entry.role is None else "Nothing to doubt in this file."
+        fine = "" if entry.pending or entry.role is None else "No problems found."
         self.remarks.show_remarks(intake.remarks(entry), fine)
         self.options.show_entry(entry)
         for changing in (self.options, self.preview):

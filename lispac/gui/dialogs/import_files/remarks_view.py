@@ -53,7 +53,7 @@ class RemarksView(QScrollArea):
                 row.hide()
                 row.deleteLater()
         if not remarks and fine:
-            self._put(_row("check-circle-outline", "done", "Fine", fine)[0])
+            self._put(_row("check-circle-outline", "done", "OK", fine)[0])
         for place, remark in enumerate(remarks):
             row, layout = _row(*_MARKS[remark.level], remark.text)
             for remedy in remark.remedies:

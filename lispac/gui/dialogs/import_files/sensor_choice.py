@@ -8,7 +8,7 @@ from lispac.gui.panels import widgets
 from lispac.io.sensor_file import PosFigures, PosState, ScannerFigures
 from lispac.workflow.sensors import Library, origin_of
 
-OTHER = "Another: state its figures"
+OTHER = "Other (enter specifications)"
 SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": "degraded GNSS"}
 
 

@@ -15,7 +15,7 @@ ROLES: dict[Kind | None, str] = {
 }  # fmt: skip
 _COUNTS = ("points", "Points", "Records", "Rows")
 _OPTIONS = {
-    "crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Times restart",
+    "crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Time rollover",
     "withheld": "Withheld points", "exclude_classes": "Excluded classes",
     "only": "Only points with", "max_range": "Largest range (m)",
 }  # fmt: skip
@@ -25,7 +25,7 @@ _RESTARTS = {
     "full-hour": "at the full hour",
 }  # fmt: skip
 _UNSTATED = {
-    "restart": "as found by the times", "grid_unit": "by the system", "heights": "by the system",
+    "restart": "automatic", "grid_unit": "by the system", "heights": "by the system",
 }  # fmt: skip
 _FRAMES = {"scanner": "Scanner", "georeferenced": "On the map"}
 
@@ -73,7 +73,7 @@ def state(intake: Intake, entry: Entry) -> tuple[str, str]:
     unknown = not entry.looks and not entry.pending
     return {
         "pending": ("Waiting", theme.MUTED),
-        "fine": ("Fine", theme.DONE),
+        "fine": ("OK", theme.DONE),
         "error": ("Error", theme.ERROR),
         "out": ("Not known" if unknown else "Left out", theme.MUTED),
     }[now]
