@@ -1,4 +1,4 @@
-"""Second opinions: what other methods say of the boresight that the targets were adjusted for."""
+"""Alternative methods: their boresight beside that of the targets."""
 
 from dataclasses import dataclass
 from typing import Literal

@@ -199,8 +199,8 @@ def test_cancelled_half_way_and_what_cannot_be_sought(
 
     with pytest.raises(Cancelled):
         pick_seeds(demo_project, survey, read.seeds, {}, progress=stop)
-    assert told[0] == (0.0, "Seeking T1 (1 of 2)")
-    assert told[-1] == (0.5, "Seeking T2 (2 of 2)")
+    assert told[0] == (0.0, "Searching for T1 (1 of 2)")
+    assert told[-1] == (0.5, "Searching for T2 (2 of 2)")
     assert demo_project.targets == ()
     with pytest.raises(InputError, match="threshold"):
         pick_seeds(demo_project, survey, read.seeds, {"threshold": -1.0})

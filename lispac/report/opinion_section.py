@@ -1,4 +1,4 @@
-"""The section on second opinions: other methods beside the targets (as the thesis's table 4.4)."""
+"""The section on alternative methods, beside the targets (as the thesis's table 4.4)."""
 
 from lispac.adjustment.result import ANGLES
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, rows

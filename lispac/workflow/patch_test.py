@@ -1,6 +1,6 @@
 """The LiDAR patch test of a project: objects and pairs proposed, angles turned, the answer judged.
 
-It is a second opinion beside the adjustment of targets: other objects, another measure, the same
+It is an alternative to the adjustment of targets: other objects, another measure, the same
 georeferencing and the same POS errors. The project's targets take no part.
 """
 

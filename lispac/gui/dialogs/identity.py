@@ -44,7 +44,7 @@ class IdentityDialog(QDialog):
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="identity_said")
         layout.addWidget(self.said)
-        self.keep = widgets.button("Keep", "identity_keep", primary=True)
+        self.keep = widgets.button("OK", "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)
         cancel = widgets.button("Cancel", "identity_cancel")

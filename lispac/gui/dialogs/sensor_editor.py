@@ -74,7 +74,7 @@ class SensorEditor(QDialog):
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="sensor_editor_said")
         layout.addWidget(self.said)
-        self.keep = widgets.button("Keep", "sensor_keep", primary=True)
+        self.keep = widgets.button("OK", "sensor_keep", primary=True)
         self.keep.setDefault(True)
         cancel = widgets.button("Cancel", "sensor_cancel")
         cancel.setAutoDefault(False)

@@ -181,7 +181,7 @@ class SettingsDialog(QDialog):
             tip="The settings of a new user; your own sensors stay",
         )  # fmt: skip
         cancel = widgets.button("Cancel", "settings_cancel")
-        self.keep = widgets.button("Keep", "settings_keep", primary=True)
+        self.keep = widgets.button("OK", "settings_keep", primary=True)
         self.keep.setDefault(True)
         self.restore.clicked.connect(lambda: self.show_preferences(Preferences()))
         cancel.clicked.connect(self.reject)

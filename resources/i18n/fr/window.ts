@@ -2594,10 +2594,6 @@
         <translation>Chercher</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>Garder</translation>
-    </message>
-    <message>
         <source>Pick</source>
         <translation>Désigner</translation>
     </message>
