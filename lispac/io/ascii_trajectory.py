@@ -125,7 +125,7 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
         if not role:
             known = sorted(set(ROLES.values()))
             raise InputError(
-                error("trajectory.unknown_column", file=str(path), column=token, known=known)
+                error("trajectory.unknown_column", file=str(path), column=token, known=tuple(known))
             )
         if any(column.role == role for column in columns):
             raise InputError(error("text.duplicate_columns", file=str(path), names=(token,)))
@@ -384,7 +384,7 @@ def _require_one_column_each(path: Path, titles: Sequence[str]) -> None:
                 own.append(title)
         if len(own) > 1:
             raise InputError(
-                error("trajectory.several_columns", file=str(path), role=role, columns=own)
+                error("trajectory.several_columns", file=str(path), role=role, columns=tuple(own))
             )
 
 

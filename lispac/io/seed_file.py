@@ -152,7 +152,9 @@ def read_point_list(
     for k, found in letters.items() if degrees else ():
         if found <= {*HEMISPHERES, "O"}:
             raise InputError(
-                error("seeds.hemispheres", file=str(path), column=k + 1, letters=sorted(found))
+                error(
+                    "seeds.hemispheres", file=str(path), column=k + 1, letters=tuple(sorted(found))
+                )
             )
     _require_apart(path, points)
     return PointList(path, tuple(points), meant, stated)
@@ -260,8 +262,8 @@ _COLUMN_ERRORS = {
 def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str]) -> Message:
     given, in_row = _COLUMN_ERRORS[what]
     if row is None:
-        return error(given, file=str(path), names=names)
-    return error(in_row, file=str(path), row=row, names=names)
+        return error(given, file=str(path), names=tuple(names))
+    return error(in_row, file=str(path), row=row, names=tuple(names))
 
 
 def _holds_numbers(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:

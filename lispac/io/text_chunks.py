@@ -235,11 +235,13 @@ def _columns(path: Path, text: str) -> list[str]:
     missing = [name for name in REQUIRED if name not in names]
     if missing:
         raise InputError(
-            error("text.columns_missing", file=str(path), names=names, missing=missing)
+            error(
+                "text.columns_missing", file=str(path), names=tuple(names), missing=tuple(missing)
+            )
         )
     twice = sorted({name for name in names if name != "-" and names.count(name) > 1})
     if twice:
-        raise InputError(error("text.duplicate_columns", file=str(path), names=twice))
+        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(twice)))
     return names
 
 
@@ -329,7 +331,7 @@ def _require_width(
         raise InputError(
             error(
                 "text.row_too_short", file=str(path), row=row, found=len(fields),
-                needed=len(names), names=names,
+                needed=len(names), names=tuple(names),
             )
         )  # fmt: skip
 

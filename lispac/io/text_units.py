@@ -48,7 +48,7 @@ def require_one_unit(path: Path, layout: Layout) -> None:
     if len(set(stated.values())) == 1 and set(stated.values()) <= {"", *LENGTHS}:
         return
     titles = [layout.titles[layout.names.index(axis)] for axis, unit in stated.items() if unit]
-    raise InputError(error("text.several_units", file=str(path), titles=titles))
+    raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
 
 
 def require_degrees(path: Path, layout: Layout) -> None:
@@ -80,7 +80,7 @@ def require_cartesian(path: Path, layout: Layout) -> None:
     """
     polar = [title for title in layout.titles if bare_name(title) in BEAMS]
     if len(polar) >= 2 and not set(AXES) <= set(layout.names):
-        raise InputError(error("text.polar_coordinates", file=str(path), columns=polar))
+        raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
 
 
 def unit_messages(path: Path, layout: Layout, choice: Choice) -> Iterator[Message]:
