@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.packed import require_unpacked
 from lispac.locks import is_locked, try_lock
+from lispac.messages import error
 from lispac.survey.time_quality import time_quality
 
 
@@ -173,6 +174,10 @@ def without_path(sentence: str, path: Path) -> str:
     return sentence
 
 
+TEMPORARY = ".part"
+"""Before the suffix of the temporary name of a file that is being written."""
+
+
 @contextmanager
 def written_whole(path: Path) -> Iterator[Path]:
     """Yield a temporary name beside ``path`` and rename it to ``path`` when all went well.
@@ -182,19 +187,25 @@ def written_whole(path: Path) -> Iterator[Path]:
     Raises
     ------
     InputError
-        Where the folder cannot be written, or the disk is full.
+        Where the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
     """  # noqa: DOC501 - `not_written` makes an InputError
     path = Path(path)
-    made = [folder for folder in path.parents if not folder.exists()]
-    remove_abandoned(path)
+    made: list[Path] = []
     try:
+        made = [folder for folder in path.parents if not folder.exists()]
+        if path.exists() and not path.is_file():
+            code = "file.is_folder" if path.is_dir() else "file.is_device"
+            raise InputError(error(code, file=str(path)))
+        remove_abandoned(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
-            prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent
+            prefix=f".{path.stem}-", suffix=f"{TEMPORARY}{path.suffix}", dir=path.parent
         )
-    except OSError as error:
+    except ValueError as failure:  # a null character, or half of a pair of characters
+        raise InputError(error("file.bad_name", file=repr(str(path)))) from failure
+    except OSError as failure:
         remove_empty(made)
-        raise not_written(path, error) from error
+        raise not_written(path, failure) from failure
     temporary = Path(name)
     # The lock shows others that somebody writes it. Windows renames no file that is open.
     if sys.platform == "win32" or not try_lock(handle):
@@ -207,8 +218,8 @@ def written_whole(path: Path) -> Iterator[Path]:
         os.umask(mask)
         temporary.chmod(0o666 & ~mask)
         temporary.replace(path)
-    except OSError as error:
-        raise not_written(path, error) from error
+    except OSError as failure:
+        raise not_written(path, failure) from failure
     finally:
         temporary.unlink(missing_ok=True)
         if handle >= 0:
@@ -224,7 +235,7 @@ writes it has locked it, on systems where this is done."""
 def remove_abandoned(path: Path) -> None:
     """Remove what `written_whole` left beside ``path`` where it was killed."""
     named = re.compile(
-        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{re.escape(path.suffix)}"  # as mkstemp has it
+        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY}{re.escape(path.suffix)}"
     )
     try:
         with os.scandir(path.parent) as entries:
