@@ -35,6 +35,8 @@ _SCALES: Mapping[str, float] = {
     "x": 1.0,
 }  # fmt: skip
 _SIGNIFICANT = 3
+_SMALLEST, _LARGEST = 1e-9, 1e15
+"""Sizes of numbers written without an exponent."""
 MAX_REMEMBERED = 20_000
 _translated: dict[str, None] = {}
 
@@ -139,8 +141,9 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     """A number as the language writes it; three significant digits by default."""
     from babel.numbers import format_decimal
 
-    if not isfinite(value):
-        return f"{value:+g}" if sign else f"{value:g}"
+    is_tiny = decimals is None and 0 < abs(value) < _SMALLEST
+    if not isfinite(value) or abs(value) >= _LARGEST or is_tiny:
+        return f"{value:+.3g}" if sign else f"{value:.3g}"
     if decimals is None:
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"

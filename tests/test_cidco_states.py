@@ -77,16 +77,19 @@ def test_what_is_no_trajectory_is_refused(tmp_path: Path) -> None:
     path = point_files.cidco(tmp_path / "a")
     rows = np.fromfile(path, "<f8").reshape(-1, 22)
     for origin in ("here", "1 2", "95 0 0", "nan 0 0"):
-        with pytest.raises(InputError, match="is not latitude, longitude"):
+        with pytest.raises(InputError, match=origin) as refused:
             STATES.read(path, {"origin": origin})
+        assert refused.value.code == "cidco.invalid_origin"
     other = rows.copy()
     other[:, 16] += 1
     path.write_bytes(np.concatenate([rows, other]).tobytes())
-    with pytest.raises(InputError, match=r"400000\.000000 s hold different POS states"):
+    with pytest.raises(InputError, match=r"400,000\.000000 s") as refused:
         STATES.read(path, {})
+    assert refused.value.code == "cidco.different_states"
     path.write_bytes(rows[:1].tobytes())
-    with pytest.raises(InputError, match="two states at least"):
+    with pytest.raises(InputError) as refused:
         STATES.read(path, {})
+    assert refused.value.code == "cidco.one_state"
 
 
 def test_the_vessel_is_calibrated_from_the_command_line(

@@ -252,7 +252,7 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
         ("no gps_time", "has no gps_time"),
         ("outside the trajectory", "lie outside the trajectory"),
         ("empty line", "holds no points"),
-        ("missing column", "line.txt: no row of four numbers or more is in it"),
+        ("missing column", "line.txt: no row has four numbers or more"),
     ],
 )
 def test_bad_input_is_refused_and_no_project_is_left(

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.io.sbet import read_sbet
+from lispac.language import LANGUAGES, in_language
 from lispac.project import Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
@@ -94,6 +95,19 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
 
 
 # -- places --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, language: str) -> None:
+    path = tmp_path / "track.txt"
+    rows = [f"{START + k},600000,5040000,10,0,0,90" for k in range(40)]
+    path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
+    with in_language(language):
+        intake = taken_in(Intake(), path)
+    entry = intake.entry(path)
+    assert entry.error_code == "trajectory.no_system"
+    errors = [each for each in intake.remarks(entry) if each.level == "error"]
+    assert [each.remedies[0].ask for each in errors] == ["crs"]
 
 
 def test_a_line_on_the_map_needs_its_coordinate_system(

@@ -66,7 +66,7 @@ def _damage(records: np.ndarray, kind: str) -> bytes:
         ("truncated", "cut short"),
         ("nan", "record 5 holds a value that is not a number"),
         ("backward", "record 6"),
-        ("degrees", "not SBET in radians"),
+        ("degrees", "angles seem to be in degrees"),
         ("one", "at least two"),
     ],
 )
@@ -189,11 +189,11 @@ def test_text_columns_in_any_order_and_passed_over(tmp_path: Path) -> None:
     [
         ("1 2 3 4\n", ("time", "x", "y"), "lack z"),
         ("1 2 3 4\n", (), "does not name its columns"),
-        ("1 2 3 4\n", ("time", "x", "x", "y", "z"), "two columns are named x; name each once"),
-        ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: 3 columns where 4 were named"),
+        ("1 2 3 4\n", ("time", "x", "x", "y", "z"), "more than one column has the name x"),
+        ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: the number of columns is 3"),
         ("1 2 3 4\n1 2 x 4\n", ("time", "x", "y", "z"), "row 2"),
         ("1 2 nan 4\n", ("time", "x", "y", "z"), "not a usable number"),
-        ("# nothing\n", ("time", "x", "y", "z"), "no row of four numbers"),
+        ("# nothing\n", ("time", "x", "y", "z"), "no row has four numbers"),
     ],
 )
 def test_bad_text_is_refused(
@@ -232,7 +232,7 @@ def test_plane_files_of_one_name_are_told_apart(tmp_path: Path) -> None:
     assert [each.target for each in observations.sightings] == ["T1-1", "T1-2"]
     with pytest.raises(InputError) as refused:
         read_plane_files([], 0.003)
-    assert str(refused.value) == "No plane file was given; name at least one."
+    assert refused.value.code == "planes.none_given"
 
 
 def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -261,19 +261,20 @@ def test_plane_file_round_trip(shared_data: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
-        ("1 2 3\n", "this has 3"),
-        ("", "holds no points"),
-        ("a b c\n", "not a plane file"),
-        (" ".join(["1"] * 25) + "\n", "length"),
-        (" ".join(["nan"] * 25) + "\n", "not a number"),
+        ("1 2 3\n", "planes.other_columns"),
+        ("", "planes.no_points"),
+        ("a b c\n", "planes.not_numbers"),
+        (" ".join(["1"] * 25) + "\n", "planes.normal_length"),
+        (" ".join(["nan"] * 25) + "\n", "planes.not_finite"),
     ],
 )
-def test_bad_plane_file_is_refused(tmp_path: Path, text: str, said: str) -> None:
+def test_bad_plane_file_is_refused(tmp_path: Path, text: str, code: str) -> None:
     (tmp_path / "plane.txt").write_text(text)
-    with pytest.raises(InputError, match=said):
+    with pytest.raises(InputError, match=r"plane\.txt") as refused:
         read_plane_files([tmp_path / "plane.txt"], 0.003)
+    assert refused.value.code == code
 
 
 def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from lispac.io.las_export import cloud_file, pattern_of_columns
 from lispac.io.las_guard import require_sound_header
 from lispac.io.point_counts import PointCounts
 from lispac.io.registry import PointChunk
+from lispac.messages import error
 from lispac.survey.georeferencing import Mounting
 from tests import point_files as files
 
@@ -130,10 +131,7 @@ def test_a_record_of_cidco_that_does_not_hold_together(tmp_path: Path) -> None:
     rows.tofile(path)
     with pytest.raises(InputError) as refused:
         list(format_of("cidco").read(path, {}))
-    assert str(refused.value) == (
-        f"{path}: point 7 does not hold together (distance to the POS, angles or sigmas): the file "
-        "is not CIDCO's or has another byte order; export it again."
-    )
+    assert refused.value.message == error("cidco.inconsistent_point", file=str(path), point=7)
 
 
 @pytest.mark.parametrize("most", [10, 1000])
@@ -161,13 +159,11 @@ def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.M
     data.write(path)
     with pytest.raises(InputError) as refused:
         line_times.line_times(path, LAS, {})
-    assert str(refused.value) == (
-        f"{path}: no point looked at has a usable time; export the line again."
-    )
+    assert refused.value.message == error("line.no_usable_time", file=str(path))
 
 
 def test_times_of_a_line_without_a_valid_point(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=files.COUNT)
     with pytest.raises(InputError) as refused:
         line_times.line_times(path, format_of("e57"), {})
-    assert str(refused.value) == f"{path}: this line holds no points; leave it out."
+    assert refused.value.message == error("line.no_points", file=str(path))

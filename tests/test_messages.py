@@ -53,6 +53,14 @@ def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> Non
         )
 
 
+def test_numbers_of_damaged_files_are_short() -> None:
+    values = (1e300, -1e15, 1e-300, 0.0, 2.5e-9, 1e14)
+    assert [text_of("{value:x}", {"value": value}) for value in values] == [
+        "1e+300", "-1e+15", "1e-300", "0", "0.00000000250", "100,000,000,000,000"
+    ]  # fmt: skip
+    assert text_of("{value:x.2}", {"value": 1e-300}) == "0.00"
+
+
 def test_a_count_chooses_singular_or_plural_by_the_rules_of_the_language() -> None:
     text = Plural("{count:n} point", "{count:n} points")
     shown = [text_of(text, {"count": count}) for count in (0, 1, 2)]

@@ -314,10 +314,12 @@ def test_real_cidco_files(shared_data: Path) -> None:
 
 def test_options_that_are_not_there_are_refused(tmp_path: Path) -> None:
     path = files.las(tmp_path / "a.las")
-    with pytest.raises(InputError, match="has no option"):
+    with pytest.raises(InputError, match="colour") as refused:
         list(FORMATS["las"].read(path, {"colour": "red"}))
-    with pytest.raises(InputError, match="choose metre or foot"):
+    assert refused.value.code == "formats.unknown_option"
+    with pytest.raises(InputError, match=r"unit cannot be cubit\. Choose metre, foot, ") as refused:
         list(FORMATS["las"].read(path, {"unit": "cubit"}))
+    assert refused.value.code == "formats.invalid_choice"
 
 
 def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:

@@ -233,7 +233,7 @@ def test_ply_of_a_mesh_and_text_of_utf16(tmp_path: Path, made: dict[str, Path]) 
     gap = made["a.csv"].read_text().splitlines()
     gap[5] = re.sub(r",[^,]*,", ",,", gap[5], count=1)
     text = damaged(tmp_path, "a.csv", "\n".join(gap).encode())
-    assert "row 6: x is ''" in said(text, "a.csv")
+    assert 'row 6: x is ""' in said(text, "a.csv")
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz", "a.ply"])

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.cli.main import main
-from lispac.errors import InputError
+from lispac.cli.main import run
+from lispac.errors import InputError, LispacError
 from lispac.io.formats import format_of
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY
@@ -69,15 +69,15 @@ def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:
     rows = rows_of(times).split("\n")
     rows[1200] = "13:61:00.0,1,2,3"
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
-    with pytest.raises(InputError, match=r"row 1,202: time is '13:61:00.0'; times above it are as"):
+    with pytest.raises(InputError, match=r'row 1,202: time is "13:61:00.0"') as refused:
         list(format_of("text").read(tmp_path / "L.csv", {}))
+    assert refused.value.code == "text.not_a_clock_time"
 
 
 def test_times_that_are_neither_are_said_rightly(track, times, tmp_path, capsys) -> None:
     rows = [f"2023-05-09T{c}Z,1,2,3" for c in clocked(times)]
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
     command = ["new", str(tmp_path / "p"), str(tmp_path / "L.csv"), "--trajectory", str(track)]
-    assert main([*command, "--lever-arm", "0", "0", "0"]) != 0
-    told = capsys.readouterr().err
-    assert "no row of four numbers or more is in it (a time is seconds, or hh:mm:ss without" in told
-    assert "(none)" not in told
+    with pytest.raises(LispacError, match=r"L\.csv") as refused:
+        run([*command, "--lever-arm", "0", "0", "0"])
+    assert refused.value.code == "text.no_number_rows"

@@ -15,6 +15,7 @@ from lispac.io.text_export import write_table
 from lispac.io.text_layout import Layout, layout_of
 from lispac.io.text_table import clock, coordinates_in, last_lines
 from lispac.io.text_units import height_unit_of, unit_doubts
+from lispac.messages import error
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files
 
@@ -23,35 +24,45 @@ HEAD = "time x y z\n1 2 3 4\n"
 
 
 def refused(path: Path, choice: dict[str, str] | None = None) -> str:
+    return str(error_of(path, choice)).removeprefix(str(path))
+
+
+def error_of(path: Path, choice: dict[str, str] | None = None) -> InputError:
     with pytest.raises(InputError) as told:
         list(TEXT.read(path, choice or {}))
-    return str(told.value).removeprefix(str(path))
+    return told.value
 
 
 @pytest.mark.parametrize(
-    ("rows", "said"),
+    ("rows", "code", "params"),
     [
-        ("2 1_5 3 4", "row 3: x is '1_5'; rows must be numbers."),
-        ("2 3 \N{ARABIC-INDIC DIGIT THREE} 4",
-         "row 3: y is '\N{ARABIC-INDIC DIGIT THREE}'; rows must be numbers."),
-        ("\n# a remark\n2 3 x 4", "row 5: y is 'x'; rows must be numbers."),
-        ("\n2 3 4", "row 4: 3 columns where 4 were named (time, x, y, z); copy or export it again "
-         "where it is cut short, or name the columns the file has."),
+        ("2 1_5 3 4", "text.not_a_number", {"row": 3, "column": "x", "value": "1_5"}),
+        ("2 3 \N{ARABIC-INDIC DIGIT THREE} 4", "text.not_a_number",
+         {"row": 3, "column": "y", "value": "\N{ARABIC-INDIC DIGIT THREE}"}),
+        ("\n# a remark\n2 3 x 4", "text.not_a_number", {"row": 5, "column": "y", "value": "x"}),
+        ("\n2 3 4", "text.row_too_short",
+         {"row": 4, "found": 3, "needed": 4, "names": ("time", "x", "y", "z")}),
     ],
 )  # fmt: skip
-def test_the_row_at_fault_is_named(tmp_path: Path, rows: str, said: str) -> None:
+def test_the_row_at_fault_is_named(
+    tmp_path: Path, rows: str, code: str, params: dict[str, object]
+) -> None:
     """As an editor counts the rows, with those that are empty."""
     path = tmp_path / "a.txt"
     path.write_text(f"{HEAD}{rows}\n", encoding="utf-8")
-    assert refused(path) == f", {said}"
+    message = error_of(path).message
+    assert message is not None
+    assert message.code == code
+    assert message.params == {"file": str(path), **params}
 
 
 def test_a_separator_by_which_no_row_has_numbers(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv", head=files.CSV_HEAD)
     choice = {"separator": "semicolon"}
-    assert refused(path, choice) == ": this line holds no points; leave it out."
-    with pytest.raises(InputError, match="this line holds no points"):
+    assert error_of(path, choice).message == error("line.no_points", file=str(path))
+    with pytest.raises(InputError, match=r"a\.csv") as told:
         TEXT.look(path, choice)
+    assert told.value.code == "line.no_points"
 
 
 @pytest.mark.parametrize("chunk", [15, 60])
@@ -187,5 +198,5 @@ def test_a_name_that_would_fall_apart_in_csv(tmp_path: Path) -> None:
         with pytest.raises(InputError) as told:
             write_table(path, names, [column], ["s"])
         wrong = names[0] if "," in names[0] else 'L"1'
-        assert str(told.value) == f"a.csv: {wrong} cannot stand in CSV; rename it."
+        assert told.value.message == error("text.not_for_csv", file="a.csv", text=wrong)
     assert path.read_text() == "a\n1.0\n"

@@ -125,7 +125,7 @@ def test_it_is_looked_at_as_a_cloud_without_time(tmp_path: Path) -> None:
         ("9" * 5000 + "\n", "row 1: a PTS file begins with its number of points"),
         ("2\n1 2 3\n1,5 2,5 3,5\n", "row 3: PTS has decimal points"),
         ("//X;Y;Z\n1\n1.5;2.5;3.5\n", "row 3: PTS has decimal points"),
-        ("2\n1 2 3\n4 y 6\n", "row 3: y is 'y', which is not a usable value"),
+        ("2\n1 2 3\n4 y 6\n", 'row 3: y is "y", which is not a usable value'),
         ("2\n1 2 3\n4 5 nan\n", "point 2 has a coordinate that is not a usable number"),
         ("2\n1 2 3\n4 1e300 6\n", "point 2 has a coordinate that is not a usable number"),
         ("\0\1\2\3", "row 1: this is not text"),

@@ -8,6 +8,7 @@ from lispac.io.formats import format_of, recognised
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Finding
 from lispac.io.sbet_detection import blocks_of, detect_sbet
 from lispac.io.sbet_motion import in_frame
+from lispac.messages import error
 from tests.trajectory_files import truth, vessel, write_records
 
 SBET = format_of("sbet")
@@ -340,9 +341,7 @@ def test_a_file_that_is_lost_while_it_is_looked_at(
     monkeypatch.setattr("lispac.io.sbet_detection.np.memmap", lost)
     with pytest.raises(InputError) as refused:
         detect_sbet(path)
-    assert str(refused.value) == (
-        f"{path}: this SBET file cannot be read; check that the disk is there."
-    )
+    assert refused.value.message == error("sbet.not_readable", file=str(path))
 
 
 def lost(*_: object, **__: object) -> np.ndarray:

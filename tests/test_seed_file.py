@@ -82,44 +82,55 @@ def test_degrees_minutes_and_seconds(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "row", "said"),
+    ("text", "row", "code", "params"),
     [
-        ("", "", "this coordinate list file is empty"),
-        ("# nothing\n\n", "", "no row of coordinates is in it"),
-        ("name x y z\n", "", "no row of coordinates follows its names"),
-        ("T1 1 2\n", "row 1", "three coordinates are needed"),
-        ("T1 1 2 3 4\n", "row 1", "which are x, y, z is not clear"),
-        ("T1,12,5,3,25,1,0\n", "row 1", "which are x, y, z is not clear"),
-        ("T1 1 2 3\nT2 1 2\n", "row 2", "it has 3 columns where 4 are needed"),
-        ("T1 1 2 3\n\nT2 1 two 3\n", "row 3", "y is 'two', which is not a number"),
-        ("T1 1 2 3\nT2 1 nan 3\n", "row 2", "y is 'nan'"),
-        ("T1 1 2 3\nT2 1 1e999 3\n", "row 2", "y is '1e999'"),
-        ("T1 1 2 3\nT1 4 5 6\n", "row 2", "T1 stands in row 1 already"),
-        ("T1 1 2 3\nT2 1 2 3\n", "row 2", "these coordinates stand in row 1 already"),
-        ("T/1 1 2 3\n", "row 1", "cannot hold a slash"),
-        ("name;x;y;z\n;1;2;3\n", "row 2", "needs 1 to 40 printable characters"),
-        ("name x y z role\nT1 1 2 3 wall\n", "row 2", "the role is 'wall'"),
-        ("name x y\nT1 1 2\n", "row 1", "the columns lack z"),
-        ("name x y z x\nT1 1 2 3 4\n", "row 1", "name x twice"),
-        ("name easting northing h\nT1 1 2 3\n", "row 1", "easting is no axis of the local frame"),
-        ("T1 1 2 3\n\0\n", "row 2", "this is not text"),
+        ("", "", "text.empty", {}),
+        ("# nothing\n\n", "", "seeds.no_coordinates", {}),
+        ("name x y z\n", "", "seeds.only_names", {}),
+        ("T1 1 2\n", "row 1", "seeds.too_few_numbers", {"found": 2, "total": 3}),
+        ("T1 1 2 3 4\n", "row 1", "seeds.order_unclear", {"found": 4, "total": 5}),
+        ("T1,12,5,3,25,1,0\n", "row 1", "seeds.order_unclear", {"found": 6, "total": 7}),
+        ("T1 1 2 3\nT2 1 2\n", "row 2", "seeds.row_too_short", {"found": 3, "needed": 4}),
+        ("T1 1 2 3\n\nT2 1 two 3\n", "row 3", "seeds.unusable_coordinate",
+         {"axis": "y", "value": "two"}),
+        ("T1 1 2 3\nT2 1 nan 3\n", "row 2", "seeds.unusable_coordinate",
+         {"axis": "y", "value": "nan"}),
+        ("T1 1 2 3\nT2 1 1e999 3\n", "row 2", "seeds.unusable_coordinate",
+         {"axis": "y", "value": "1e999"}),
+        ("T1 1 2 3\nT1 4 5 6\n", "row 2", "seeds.duplicate_name", {"name": "T1", "other": 1}),
+        ("T1 1 2 3\nT2 1 2 3\n", "row 2", "seeds.duplicate_place", {"other": 1}),
+        ("T/1 1 2 3\n", "row 1", "seeds.invalid_name", {}),
+        ("name;x;y;z\n;1;2;3\n", "row 2", "seeds.invalid_name", {}),
+        ("name x y z role\nT1 1 2 3 wall\n", "row 2", "seeds.unknown_role", {"role": "wall"}),
+        ("name x y\nT1 1 2\n", "row 1", "seeds.columns_missing_in_row", {"names": ("z",)}),
+        ("name x y z x\nT1 1 2 3 4\n", "row 1", "seeds.duplicate_columns_in_row",
+         {"names": ("x",)}),
+        ("name easting northing h\nT1 1 2 3\n", "row 1", "seeds.other_axes_in_row",
+         {"names": ("easting",)}),
+        ("T1 1 2 3\n\0\n", "row 2", "text.not_text", {}),
     ],
 )  # fmt: skip
-def test_refused_with_file_and_row(tmp_path: Path, text: str, row: str, said: str) -> None:
+def test_refused_with_file_and_row(
+    tmp_path: Path, text: str, row: str, code: str, params: dict[str, object]
+) -> None:
     path = written(tmp_path, text)
     with pytest.raises(InputError) as refused:
         read_point_list(path)
-    message = str(refused.value)
-    assert message.startswith(f"{path}, {row}: " if row else f"{path}: ")
-    assert said in message
-    assert "\n" not in message
+    message = refused.value.message
+    assert message is not None
+    assert message.code == code
+    assert dict(message.params).items() >= params.items()
+    text = str(refused.value)
+    assert text.startswith(f"{path}, {row}: " if row else f"{path}: ")
+    assert "\n" not in text
     assert not looks_like_a_list(path)
 
 
 def test_a_cloud_is_no_list(tmp_path: Path) -> None:
     path = written(tmp_path, "".join(f"P{k} {k} 2 3\n" for k in range(1001)))
-    with pytest.raises(InputError, match="more than 1,000 rows"):
+    with pytest.raises(InputError, match="more than 1,000 rows") as refused:
         read_point_list(path)
+    assert refused.value.code == "seeds.too_many_rows"
     with pytest.raises(InputError, match="missing"):
         read_point_list(tmp_path / "missing.txt")
 
@@ -133,5 +144,6 @@ def test_check_points_by_their_order(tmp_path: Path, text: str, sigma: float, pl
     (point,) = read_point_list(written(tmp_path, text), check=True).points
     assert (point.name, point.coordinates) == ("P1", (1.0, 2.0, 3.0))
     assert (point.sigma, point.plane) == (sigma, plane)
-    with pytest.raises(InputError, match="which are x, y, z is not clear"):
+    with pytest.raises(InputError, match="row 1") as refused:
         read_point_list(written(tmp_path, text))
+    assert refused.value.code == "seeds.order_unclear"

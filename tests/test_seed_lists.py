@@ -113,8 +113,8 @@ def test_in_a_coordinate_system_as_json(
 
 def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     good = rows("T1")
-    assert "row 2: it has 2 columns" in refused(capsys, folder, good + "T2;1\n")
-    assert "row 2: T1 stands in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
+    assert "row 2: the number of columns is 2" in refused(capsys, folder, good + "T2;1\n")
+    assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
     far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: the coordinates" in far
     assert "km from the trajectory; give metres north, west and up" in far

@@ -145,8 +145,9 @@ def test_a_sign_and_a_hemisphere_contradict_each_other(tmp_path: Path) -> None:
     path = tmp_path / "track.csv"
     rows = [f"{t:.3f},-33.85,S,-69.25,W,12.5,1,2,200" for t in TIME]
     path.write_text("\n".join([f"Time,Latitude,N/S,Longitude,E/W,{REST}", *rows]))
-    with pytest.raises(InputError, match="minus sign and a hemisphere"):
+    with pytest.raises(InputError, match="row 2: the latitude") as refused:
         trajectory(path)
+    assert refused.value.code == "trajectory.sign_and_hemisphere"
 
 
 @pytest.mark.parametrize(("name", "factor"), [("Time [ms]", 1e3), ("Time_us", 1e6)])

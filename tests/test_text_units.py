@@ -158,48 +158,50 @@ def test_positions_near_the_origin_of_latitudes_in_minutes(tmp_path: Path) -> No
 REFUSED: dict[str, tuple[str, Row, str]] = {
     "O alone": (
         "Time,Latitude,N/S,Longitude,Hemisphere of longitude,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}", "eo .* ow",
+        lambda t, a, o: f"{t:.2f},{-a:.9f},S,{-o:.9f},O,{REST}", "trajectory.letter_o",
     ),
     "degrees that count to O": (
         T.replace("Longitude", "Longitude [deg O]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}", "deg O",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{-o:.9f},{REST}", "trajectory.unknown_unit",
     ),
     "grad": (
         T.replace("Heading", "Heading [grad]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "grad",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.unknown_unit",
     ),
     "a unit that nobody knows": (
         T.replace("Height", "Height [cubits]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "cubits",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.unknown_unit",
     ),
     "three columns": (
         "Time,LatDeg,LatMin,LatSec,LonDeg,LonMin,LonSec,Height,Roll,Pitch,Heading",
-        lambda t, a, o: f"{t:.2f},{seconds(a, ',')},{seconds(o, ',')},{REST}", "3 columns",
+        lambda t, a, o: f"{t:.2f},{seconds(a, ',')},{seconds(o, ',')},{REST}",
+        "trajectory.several_columns",
     ),
     "letters of the other coordinate": (
-        T, lambda t, a, o: f"{t:.2f},{-a:.9f}W,{-o:.9f}S,{REST}", "latitude is",
+        T, lambda t, a, o: f"{t:.2f},{-a:.9f}W,{-o:.9f}S,{REST}", "text.unusable_value",
     ),
     "west by the title and negative": (
         T.replace("Longitude", "LongitudeW"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "negative",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.negative_west",
     ),
     "seconds of arc between blanks": (
         T.replace(",", " "),
         lambda t, a, o: f"{t:.2f} -{seconds(a, ' ')} -{seconds(o, ' ')} {REST.replace(',', ' ')}",
-        "three columns",
+        "trajectory.unnamed_columns",
     ),
     "an angle in metres": (
         T.replace("Roll", "Roll [m]"),
-        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "should be an angle",
+        lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}", "trajectory.not_an_angle",
     ),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("case", REFUSED)
 def test_what_is_ambiguous_is_refused_with_the_cause(tmp_path: Path, case: str) -> None:
-    head, row, cause = REFUSED[case]
-    with pytest.raises(InputError, match=cause):
+    head, row, code = REFUSED[case]
+    with pytest.raises(InputError, match=r"track\.csv") as refused:
         read(write(tmp_path / "track.csv", head, row))
+    assert refused.value.code == code
 
 
 @pytest.mark.parametrize(("name", "sign"), [("eo", -1), ("ow", 1)])
@@ -298,17 +300,18 @@ def test_an_elevation_in_degrees_is_no_height(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("head", "cause"),
+    ("head", "code"),
     [
-        ("time,x,y,z[ft]", "one unit of length"),
-        ("time,x [m],y [m],z [cm]", "one unit of length"),
-        ("time,x [cubits],y [cubits],z [cubits]", "one unit of length"),
-        ("time,range,azimuth,elevation", "polar"),
+        ("time,x,y,z[ft]", "text.several_units"),
+        ("time,x [m],y [m],z [cm]", "text.several_units"),
+        ("time,x [cubits],y [cubits],z [cubits]", "text.several_units"),
+        ("time,range,azimuth,elevation", "text.polar_coordinates"),
     ],
 )
-def test_units_of_points_that_differ_are_refused(tmp_path: Path, head: str, cause: str) -> None:
-    with pytest.raises(InputError, match=cause):
+def test_units_of_points_that_differ_are_refused(tmp_path: Path, head: str, code: str) -> None:
+    with pytest.raises(InputError, match=r"a\.csv") as refused:
         points(tmp_path / "a.csv", head, TIME, *XYZ.T)
+    assert refused.value.code == code
 
 
 @pytest.mark.parametrize(
@@ -365,35 +368,40 @@ def test_seeds_to_the_west_and_in_radians(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("head", "row", "cause"),
+    ("head", "row", "code"),
     [
-        ("name,latitude,N/S,longitude,E/W,h", "T1,33.85,S,69.25,W,5", "hemispheres"),
-        ("name,latitude,a,longitude,b,h", "T1,33.85,S,69.25,O,5", "hemispheres"),
-        ("name,latitude,longitude,h", "T1,48.5W,4.5N,5", "is not a number"),
-        ("name,latitude,longitude,h", "T1,4830.25N,00430.5W,5", "is not a number"),
+        ("name,latitude,N/S,longitude,E/W,h", "T1,33.85,S,69.25,W,5", "seeds.hemispheres"),
+        ("name,latitude,a,longitude,b,h", "T1,33.85,S,69.25,O,5", "seeds.hemispheres"),
+        ("name,latitude,longitude,h", "T1,48.5W,4.5N,5", "seeds.unusable_coordinate"),
+        ("name,latitude,longitude,h", "T1,4830.25N,00430.5W,5", "seeds.unusable_coordinate"),
     ],
 )
 def test_hemispheres_of_seeds_are_not_ignored(
-    tmp_path: Path, head: str, row: str, cause: str
+    tmp_path: Path, head: str, row: str, code: str
 ) -> None:
     path = tmp_path / "seeds.csv"
     path.write_text(f"{head}\n{row}\n")
-    with pytest.raises(InputError, match=cause):
+    with pytest.raises(InputError, match=r"seeds\.csv") as refused:
         read_point_list(path, local=False, degrees=True)
+    assert refused.value.code == code
 
 
 @pytest.mark.parametrize("title", ["lon [deg W]", "lon [rad]"])
 def test_longitudes_of_points_in_another_way_are_refused(tmp_path: Path, title: str) -> None:
-    with pytest.raises(InputError, match="not in degrees"):
+    with pytest.raises(InputError) as refused:
         points(tmp_path / "a.csv", f"time,{title},lat,h", TIME, *XYZ.T)
+    assert refused.value.code == "text.not_degrees"
+    assert title in str(refused.value)
 
 
 @pytest.mark.parametrize("title", ["x [cubits]", "x [deg]", "x [s]"])
 def test_seeds_in_another_unit_are_refused(tmp_path: Path, title: str) -> None:
     path = tmp_path / "seeds.csv"
     path.write_text(f"name,{title},y,z\nT1,100,200,50\n")
-    with pytest.raises(InputError, match="a length"):
+    with pytest.raises(InputError) as refused:
         read_point_list(path)
+    assert refused.value.code == "seeds.not_a_length"
+    assert title in str(refused.value)
 
 
 @pytest.mark.parametrize(

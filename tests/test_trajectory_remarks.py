@@ -11,8 +11,9 @@ from lispac.io.formats import format_of
 from lispac.io.trajectory_checks import require_attitude
 from lispac.io.trajectory_facts import time_doubts
 from lispac.io.trajectory_preview import accuracy_facts
+from lispac.messages import error
 from lispac.survey.trajectory import TrajectoryAccuracy
-from tests.test_trajectory_bad_input import edited, field, good, refused
+from tests.test_trajectory_bad_input import edited, error_of, field, good
 from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
 
 ASCII, EXAIL, SBET = (format_of(key) for key in ("ascii-trajectory", "exail-text", "sbet"))
@@ -21,18 +22,14 @@ ASCII, EXAIL, SBET = (format_of(key) for key in ("ascii-trajectory", "exail-text
 def test_a_negative_standard_deviation_in_text(tmp_path: Path) -> None:
     path = edited("exail-sigmas", tmp_path / "a.txt", field(3, 9, "-0.02"))
     row = len(path.read_text().splitlines()) - 2
-    assert refused("exail-sigmas", path) == (
-        f"{path}, row {row}: a standard deviation is negative; check that this is the column of "
-        "standard deviations, or export again."
-    )
+    message = error_of("exail-sigmas", path).message
+    assert message == error("trajectory.negative_sigma", file=str(path), row=row)
 
 
 def test_rows_with_a_date_are_in_no_time_of_the_week(tmp_path: Path) -> None:
     path = good("exail-text", tmp_path / "a.txt")
-    assert refused("exail-text", path, {"time": "gps-week"}) == (
-        f"{path}: its rows have a date, so their times are UTC or GPS seconds, not GPS seconds of "
-        "the week; choose unix (UTC) or gps-full (GPS)."
-    )
+    message = error_of("exail-text", path, {"time": "gps-week"}).message
+    assert message == error("trajectory.dates", file=str(path), base="gps-week")
 
 
 def test_times_that_start_again_are_counted_on(tmp_path: Path) -> None:
@@ -48,41 +45,43 @@ def test_times_that_start_again_are_counted_on(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("place", "hint"),
+    ("place", "code"),
     [
-        ("400 -73.5", "check the columns and their unit"),
-        ("95 200", "check the columns and their unit"),
-        ("-123.5 45.5", "latitude and longitude may be swapped: state the columns the other way "
-         "round"),
+        ("400 -73.5", "trajectory.not_on_earth"),
+        ("95 200", "trajectory.not_on_earth"),
+        ("-123.5 45.5", "trajectory.exchanged_position"),
     ],
-)  # fmt: skip
-def test_places_that_are_not_on_earth(tmp_path: Path, place: str, hint: str) -> None:
+)
+def test_places_that_are_not_on_earth(tmp_path: Path, place: str, code: str) -> None:
     path = tmp_path / "a.txt"
     path.write_text("".join(f"{k} {place} 10 0 0 90\n" for k in range(1000, 1010)))
-    latitude, longitude = place.split()
-    assert refused("ascii-trajectory", path) == (
-        f"{path}, row 1: latitude {latitude} and longitude {longitude} deg are not on Earth; "
-        f"{hint}."
-    )
+    latitude, longitude = (float(word) for word in place.split())
+    message = error_of("ascii-trajectory", path).message
+    assert message is not None
+    assert message.code == code
+    assert message.params["row"] == 1
+    assert message.params["latitude"] == pytest.approx(np.radians(latitude))
+    assert message.params["longitude"] == pytest.approx(np.radians(longitude))
 
 
 @pytest.mark.parametrize(
-    ("latitude", "unit", "hint"),
+    ("latitude", "unit", "code"),
     [
-        (100.0, "degrees", "check the unit and that this is SBET"),
-        (100.0, "radians", "these look like degrees: choose the unit degrees"),
-        (500.0, "radians", "it may be of another byte order or another format: export it again"),
+        (100.0, "degrees", "sbet.not_degrees"),
+        (100.0, "radians", "sbet.in_degrees"),
+        (500.0, "radians", "sbet.not_radians"),
     ],
 )
 def test_latitudes_of_an_sbet_that_cannot_be(
-    tmp_path: Path, latitude: float, unit: str, hint: str
+    tmp_path: Path, latitude: float, unit: str, code: str
 ) -> None:
     records = vessel(200)
     records[:, 1] = latitude
     path = write_records(tmp_path / "a.sbet", records)
-    told = refused("sbet", path, {"unit": unit})
-    assert f"latitude or longitude is out of range for {unit} from SBET record 1" in told
-    assert hint in told
+    message = error_of("sbet", path, {"unit": unit}).message
+    assert message is not None
+    assert (message.code, message.params["record"]) == (code, 1)
+    assert message.params["largest"] == pytest.approx(latitude)
 
 
 def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
@@ -93,10 +92,11 @@ def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
     with pytest.raises(InputError) as told:
         require_attitude(Path("a"), np.arange(11) / 10, (level, level, heading))
     first = int(np.argmax(heading > 4 * np.pi))
-    assert str(told.value) == (
-        f"a, record {first + 1}: roll, pitch, heading 0, 0, {np.degrees(heading[first]):.6g} deg "
-        "cannot be; state degrees where radians were taken, or check the columns."
-    )
+    assert told.value.code == "trajectory.attitude_in_record"
+    assert told.value.message is not None
+    assert told.value.message.params == {
+        "file": "a", "number": first + 1, "roll": 0.0, "pitch": 0.0, "heading": heading[first],
+    }  # fmt: skip
 
 
 def test_times_against_the_base_that_is_stated() -> None:
@@ -192,7 +192,6 @@ def test_words_among_the_rows_of_pospac(tmp_path: Path) -> None:
     np.testing.assert_allclose(read.time, records[:, 0], atol=1e-5)
     path.write_text(f"{text}End of the export, of 200 rows\n")
     row = len(text.splitlines()) + 1
-    assert refused("pospac-text", path) == (
-        f"{path}, row {row}: 'End of the export, of 200 rows' is not a row of numbers; export the "
-        "file again."
-    )
+    message = error_of("pospac-text", path).message
+    text = "End of the export, of 200 rows"
+    assert message == error("trajectory.not_a_row", file=str(path), row=row, text=text)

@@ -8,7 +8,9 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io.exail import unit_of
+from lispac.io.files import without_path
 from lispac.io.formats import format_of, recognised
+from lispac.messages import error
 from lispac.survey.trajectory import Trajectory
 from tests.trajectory_files import vessel, write_records
 
@@ -148,8 +150,9 @@ def test_exail_text_may_be_in_a_projected_system(tmp_path: Path, word: str, unit
     path = write(tmp_path / "a.txt", EXAIL_HEAD.format(word), rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
     assert recognised(path, "trajectory")[0][0] is EXAIL
     assert off(EXAIL.read(path, {"crs": NEW_JERSEY, "time": "gps-week"}), records) < 1e-4
-    with pytest.raises(InputError, match="state their coordinate system"):
+    with pytest.raises(InputError, match=r"a\.txt") as refused:
         EXAIL.read(path, {"time": "gps-week"})
+    assert refused.value.code == "trajectory.no_system"
 
 
 @pytest.mark.parametrize(
@@ -222,17 +225,19 @@ def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
     _, rows = gridded(UTM, 1.0)
     head = EXAIL_HEAD.format("meter").replace("Ellipsoid height, meter", "Ellipsoid height, degree")
     path = write(tmp_path / "a.txt", head, rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
-    told = "olumn ellipsoidHeight is in degrees by its header, and should be a length"
-    if look:
-        assert told in " ".join(EXAIL.look(path, {"crs": UTM}).doubts)
-        return
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(InputError) as refused:
         EXAIL.read(path, {"crs": UTM})
+    column = {"file": str(path), "column": "ellipsoidHeight", "unit": "deg"}
+    assert refused.value.message == error("trajectory.not_a_length", **column)
+    if look:
+        assert without_path(str(refused.value), path) in EXAIL.look(path, {"crs": UTM}).doubts
 
 
 def test_angles_in_metres_are_refused(tmp_path: Path) -> None:
     _, rows = gridded(UTM, 1.0)
     head = EXAIL_HEAD.format("meter").replace("Roll, degree", "Roll, meter")
     path = write(tmp_path / "a.txt", head, rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
-    with pytest.raises(InputError, match="column roll is in metres by its header, and should"):
+    with pytest.raises(InputError) as refused:
         EXAIL.read(path, {"crs": UTM})
+    column = {"file": str(path), "column": "roll", "unit": "m"}
+    assert refused.value.message == error("trajectory.not_an_angle", **column)

@@ -51,7 +51,7 @@ from lispac.io.units import (
     stated_unit,
     with_units,
 )
-from lispac.messages import Action, Level, Message, Value
+from lispac.messages import Action, Level, Message, Value, error
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory
 
@@ -123,12 +123,12 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
             continue
         role = role_of(token) or (token if token in SIGMAS else "")
         if not role:
+            known = sorted(set(ROLES.values()))
             raise InputError(
-                f"{path}: there is no column called {token!r}; name each column from the left as "
-                f"one of {', '.join(sorted(set(ROLES.values())))}, and - for others."
+                error("trajectory.unknown_column", file=str(path), column=token, known=tuple(known))
             )
         if any(column.role == role for column in columns):
-            raise InputError(f"{path}: two columns are named {token}; name each once.")
+            raise InputError(error("text.duplicate_columns", file=str(path), names=(token,)))
         field = sample[index] if index < len(sample) else ""
         title = titles[index] if len(titles) == len(tokens) else ""
         columns.append(Column(role, index, token, _unit(role, token, field, chosen, title)))
@@ -158,7 +158,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
         Where ``header`` is neither ``auto`` nor a number.
     """
     if header != "auto" and not header.isdecimal():
-        raise InputError(f"{path}: {header!r} is not a number of header rows; state one, or auto.")
+        raise InputError(error("trajectory.header_rows", file=str(path), value=header))
     skipped = int(header) if header != "auto" else 0
     started = header != "auto"
     for row, line in lines_of(path, "text"):
@@ -384,8 +384,7 @@ def _require_one_column_each(path: Path, titles: Sequence[str]) -> None:
                 own.append(title)
         if len(own) > 1:
             raise InputError(
-                f"{path}: the {role} is in {len(own)} columns ({', '.join(own)}); export it in "
-                "one, as decimal degrees."
+                error("trajectory.several_columns", file=str(path), role=role, columns=tuple(own))
             )
 
 
@@ -403,10 +402,11 @@ def _require_names_for_all(
         between_blanks = separator == "blank" or not any(mark in line for mark in ";,\t")
         if between_blanks and is_data(fields) and len(fields) > len(names):
             raise InputError(
-                f"{path}: the rows have {len(fields)} columns, but the header names {len(names)}; "
-                "degrees, minutes and seconds between blanks count as three columns. Export "
-                "decimal degrees, or state the columns."
-            )
+                error(
+                    "trajectory.unnamed_columns", file=str(path), found=len(fields),
+                    named=len(names),
+                )
+            )  # fmt: skip
 
 
 def _hemispheres(path: Path, tokens: list[str], data: list[list[str]]) -> list[str]:
@@ -421,11 +421,7 @@ def _hemispheres(path: Path, tokens: list[str], data: list[list[str]]) -> list[s
     for index, token in enumerate(tokens):
         letters = {row[index].strip().upper() for row in data if index < len(row)}
         if token == "-" and letters == {"O"}:
-            raise InputError(
-                f"{path}: column {index + 1} holds the letter O, which is west in French (ouest) "
-                "and east in German (Ost); name it eo (O is west) or ow (O is east) in the option "
-                "columns."
-            )
+            raise InputError(error("trajectory.letter_o", file=str(path), column=index + 1))
         if token == "-" and "O" in letters and letters <= {"E", "W", "O"}:
             found[index] = "eo" if "E" in letters else "ow"
         for role, own in zip(HEMISPHERES, _LETTERS, strict=True):

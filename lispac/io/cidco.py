@@ -28,6 +28,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
+from lispac.messages import error
 
 COLUMNS = 22
 RECORD = 8 * COLUMNS
@@ -112,8 +113,7 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
     size = path.stat().st_size
     if size % RECORD:
         raise InputError(
-            f"{path}: {size:,} bytes are not a whole number of {RECORD}-byte points (the last one "
-            f"has {size % RECORD}); the file is cut short or not CIDCO's: copy or export it again."
+            error("cidco.cut_short", file=str(path), bytes=size, record=RECORD, rest=size % RECORD)
         )
     with plainly(path, "CIDCO binary"), path.open("rb") as file:
         done = 0
@@ -124,11 +124,8 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             usable = usable_numbers(records[:, 4:7], records[:, 3])
             bad = usable & ~_closed(records)
             if bad.any():
-                raise InputError(
-                    f"{path}: point {done + int(np.argmax(bad)) + 1:,} does not hold together "
-                    "(distance to the POS, angles or sigmas): the file is not CIDCO's or has "
-                    "another byte order; export it again."
-                )
+                point = done + int(np.argmax(bad)) + 1
+                raise InputError(error("cidco.inconsistent_point", file=str(path), point=point))
             done += len(records)
             yield records
 

@@ -19,6 +19,7 @@ from lispac.io.cidco import sniff as sniff_points
 from lispac.io.points import CHUNK, PREVIEW, plainly, require_filled, table
 from lispac.io.registry import NOT, POSSIBLE, Choice, Finding, Option
 from lispac.io.trajectory_facts import duration_words
+from lispac.messages import error
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
@@ -105,13 +106,11 @@ def _states(path: Path) -> Array:
     repeated = np.diff(states[:, 0]) == 0
     unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME).any(axis=1)
     if unlike.any():
-        raise InputError(
-            f"{path}: two points at {states[int(np.argmax(unlike)), 0]:.6f} s hold different POS "
-            "states, so these are not one trajectory: check that all files are of one survey."
-        )
+        time = float(states[int(np.argmax(unlike)), 0])
+        raise InputError(error("cidco.different_states", file=str(path), time=time))
     states = states[np.concatenate([[True], ~repeated])]
     if len(states) < 2:
-        raise InputError(f"{path}: a trajectory needs two states at least; join more files.")
+        raise InputError(error("cidco.one_state", file=str(path)))
     return np.ascontiguousarray(states)
 
 
@@ -122,10 +121,7 @@ def _frame(choice: Choice) -> LocalFrame:
     except ValueError:
         latitude = longitude = height = np.nan
     if not (abs(latitude) < 89 and abs(longitude) <= 360 and abs(height) < 1e5):
-        raise InputError(
-            f"The origin {text!r} is not latitude, longitude (degrees) and height (metres); check "
-            "it, or leave it out."
-        )
+        raise InputError(error("cidco.invalid_origin", origin=text))
     return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
 
 

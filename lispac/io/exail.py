@@ -35,6 +35,7 @@ from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import direction_of, unit_of
+from lispac.messages import error
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
@@ -84,10 +85,7 @@ def exail_layout(path: Path) -> TextLayout:
     if not names:
         # Reading the first line tells a missing, empty or binary file from one without names.
         next(lines_of(path, "Exail text"), None)
-        raise InputError(
-            f"{path}: no line that starts with # names the columns; export with the header, or "
-            "read the file as generic text and state the columns."
-        )
+        raise InputError(error("trajectory.exail_header", file=str(path)))
     described = {
         match[1].lower(): match[2] for line in comments if (match := _DESCRIPTION.match(line))
     }

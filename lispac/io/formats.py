@@ -16,6 +16,7 @@ from lispac.io.trajectory_formats import (
     SBET,
     SMRMSG,
 )
+from lispac.messages import error
 
 TRAJECTORIES: tuple[Format, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
 ACCURACIES: tuple[Format, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
@@ -46,7 +47,7 @@ def format_of(key: str) -> Format:
     """
     known = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
     if key not in known:
-        raise InputError(f"There is no format {key}; choose one of {', '.join(known)}.")
+        raise InputError(error("formats.unknown", format=key, formats=tuple(known)))
     return known[key]
 
 

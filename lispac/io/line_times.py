@@ -12,6 +12,7 @@ from lispac.errors import InputError
 from lispac.io.las_chunks import opened, point_count
 from lispac.io.points import FRAME, SCANNER, plainly, require_times, scale_of, usable_points
 from lispac.io.registry import Choice, Format, PointChunk
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.survey.recovery import require_scanner_frame
 from lispac.survey.source import RESTART
@@ -123,7 +124,7 @@ def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Pro
             ended = total is not None and read >= total
             break
     if not done:
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("line.no_points", file=str(path)))
     if ended:
         require_times(start, end, done, path)
     sample = np.concatenate(parts)
@@ -151,7 +152,7 @@ def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Arr
     times = np.concatenate(parts)
     times = times[np.isfinite(times)]
     if not len(times):
-        raise InputError(f"{path}: no point looked at has a usable time; export the line again.")
+        raise InputError(error("line.no_usable_time", file=str(path)))
     looked = np.concatenate(places)
     start, end = float(times.min()), float(times.max())
     return LineTimes(times, start, end, count, False, True, looked[0]), looked

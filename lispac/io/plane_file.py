@@ -15,6 +15,7 @@ from lispac.adjustment.observations import Observations, Sighting
 from lispac.errors import InputError
 from lispac.io.files import require_file, written_whole
 from lispac.io.packed import require_unpacked
+from lispac.messages import error
 
 COLUMNS = 25
 PASS_GAP = 10.0
@@ -44,7 +45,7 @@ def read_plane_files(
         Where a file is missing, empty, or not 25 columns of numbers.
     """
     if not paths:
-        raise InputError("No plane file was given; name at least one.")
+        raise InputError(error("planes.none_given"))
     tables = [read_table(Path(path)) for path in paths]
     names = _distinct_names([Path(path).stem for path in paths])
     target = np.repeat(np.arange(len(tables)), [len(table) for table in tables])
@@ -117,25 +118,22 @@ def read_table(path: Path) -> NDArray[np.float64]:
             warnings.simplefilter("ignore", UserWarning)  # an empty file is refused below
             with path.open(encoding="utf-8-sig") as file:
                 table = np.loadtxt(file, ndmin=2, delimiter="," if _has_comma(path) else None)
-    except (ValueError, UnicodeDecodeError) as error:
+    except (ValueError, UnicodeDecodeError) as failure:
         raise InputError(
-            f"{path}: not a plane file of {COLUMNS} columns of numbers ({error})."
-        ) from error
+            error("planes.not_numbers", file=str(path), columns=COLUMNS, reason=str(failure))
+        ) from failure
     if table.size == 0:
-        raise InputError(f"{path}: this plane file holds no points.")
+        raise InputError(error("planes.no_points", file=str(path)))
     if table.shape[1] != COLUMNS:
         raise InputError(
-            f"{path}: a plane file has {COLUMNS} columns, this has {table.shape[1]}; "
-            "export it from the plane preparation again."
+            error("planes.other_columns", file=str(path), columns=COLUMNS, found=table.shape[1])
         )
     if not np.isfinite(table).all():
-        bad = int(np.argmax(~np.isfinite(table).all(axis=1)))
-        raise InputError(f"{path}: row {bad + 1:,} holds a value that is not a number.")
-    normal = np.linalg.norm(table[0, 20:23])
+        row = int(np.argmax(~np.isfinite(table).all(axis=1))) + 1
+        raise InputError(error("planes.not_finite", file=str(path), row=row))
+    normal = float(np.linalg.norm(table[0, 20:23]))
     if not np.isclose(normal, 1, atol=1e-3):
-        raise InputError(
-            f"{path}: the plane's normal (columns 21 to 23) has length {normal:.4f}, not 1."
-        )
+        raise InputError(error("planes.normal_length", file=str(path), length=normal))
     return np.asarray(table)
 
 

@@ -28,6 +28,7 @@ from lispac.io.trajectory_columns import (
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import unit_of
+from lispac.messages import error
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
@@ -74,10 +75,7 @@ def pospac_layout(path: Path) -> TextLayout:
     if found is None:
         # Reading the first line tells a missing, empty or binary file from one without names.
         next(lines_of(path, "POSPac text"), None)
-        raise InputError(
-            f"{path}: no line names the columns (TIME, ..., LATITUDE, LONGITUDE, ...); export with "
-            "the header, or read the file as generic text and state the columns."
-        )
+        raise InputError(error("trajectory.pospac_header", file=str(path)))
     start, names = found
     units_line = next(
         (line for line in lines[start + 1 : start + 5] if line.strip().startswith("(")), ""
@@ -95,8 +93,7 @@ def pospac_layout(path: Path) -> TextLayout:
             doubts.append(unstated(name.lower(), unit))
         if unit in ("dms", "clock"):
             raise InputError(
-                f"{path}: {name.lower()} is in degrees, minutes and seconds or in hours; export "
-                "decimal degrees and seconds."
+                error("trajectory.pospac_notation", file=str(path), column=name.lower())
             )
         columns.append(Column(role, index, name, unit))
     facts = {"Header": "POSPac text export"}
@@ -125,10 +122,8 @@ def pospac_rows(path: Path) -> Rows:
         if line.strip().startswith("("):
             continue
         if not is_data(fields):
-            raise InputError(
-                f"{path}, row {row:,}: {line.strip()[:40]!r} is not a row of numbers; export the "
-                "file again."
-            )
+            text = line.strip()[:40]
+            raise InputError(error("trajectory.not_a_row", file=str(path), row=row, text=text))
         yield row, fields
 
 

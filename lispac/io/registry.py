@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.messages import Message
+from lispac.messages import Message, error
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Kind = Literal["trajectory", "accuracy", "points"]
@@ -149,10 +149,13 @@ class Format:
         known = {option.name: option for option in self.options}
         for name, value in choice.items():
             if name not in known:
-                raise InputError(f"{self.name} has no option {name}; leave it out.")
+                raise InputError(error("formats.unknown_option", format=self.name, option=name))
             choices = known[name].choices
             if choices and value not in choices:
                 raise InputError(
-                    f"{self.name}: {name} cannot be {value}; choose {' or '.join(choices)}."
-                )
+                    error(
+                        "formats.invalid_choice", format=self.name, option=name, value=str(value),
+                        choices=choices,
+                    )
+                )  # fmt: skip
         return {name: choice.get(name, option.default) for name, option in known.items()}

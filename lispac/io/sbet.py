@@ -10,6 +10,7 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import read_records, require_file, require_increasing, written_whole
 from lispac.io.trajectory_checks import require_attitude, require_base, require_heights
+from lispac.messages import error
 from lispac.survey.states_between import attitude_rates
 from lispac.survey.time_base import base_of, plausible, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -92,9 +93,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     byte_order = "<" if chosen.byte_order == "little-endian" else ">"
     records = read_records(path, 17, "SBET", byte_order=byte_order)
     if len(records) < 2:
-        raise InputError(
-            f"{path}: a trajectory needs at least two SBET records, this has one; export more."
-        )
+        raise InputError(error("sbet.one_record", file=str(path)))
     time, latitude, longitude, height = records[:, :4].T
     roll, pitch, heading, wander = records[:, 7:11].T
     time, starts = unrolled(time)
@@ -215,19 +214,15 @@ def _require_on_earth(
         return
     largest = max(np.abs(latitude).max(), np.abs(longitude).max())
     first = int(np.argmax((np.abs(latitude) > limit) | (np.abs(longitude) > around))) + 1
-    factor = np.degrees(1.0) if chosen.unit == "degrees" else 1.0
     if chosen.unit == "degrees":
-        hint = "check the unit and that this is SBET"
+        code, largest = "sbet.not_degrees", np.degrees(largest)
     elif np.abs(longitude).max() <= limit and np.abs(latitude).max() <= np.pi:
-        hint = "latitude and longitude look exchanged: choose the order longitude-latitude"
+        code = "sbet.exchanged_position"
     elif 1e-300 < largest <= 360:
-        hint = "these look like degrees: choose the unit degrees, or export in radians"
+        code = "sbet.in_degrees"
     else:
-        hint = "it may be of another byte order or another format: export it again"
-    raise InputError(
-        f"{path}: latitude or longitude is out of range for {chosen.unit} from SBET record "
-        f"{first:,} on (up to {factor * largest:.6g}); this is not SBET in {chosen.unit}: {hint}."
-    )
+        code = "sbet.not_radians"
+    raise InputError(error(code, file=str(path), record=first, largest=float(largest)))
 
 
 def write_sbet(path: Path, trajectory: Trajectory) -> None:
@@ -257,19 +252,14 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     size = path.stat().st_size // SMRMSG_RECORD
     head = np.fromfile(path, "<f8", count=10 * min(size, 1000)).reshape(-1, 10)
     if not sound_smrmsg(head) and sound_smrmsg(head.byteswap()):
-        raise InputError(
-            f"{path}: its numbers are big-endian, which smrmsg is not; export it again with "
-            "little-endian numbers."
-        )
+        raise InputError(error("sbet.big_endian_accuracy", file=str(path)))
     records = read_records(path, 10, "smrmsg")
     # Where the trajectory counts on through midnight or the end of the week, so does this.
     time, _ = unrolled(records[:, 0])
     require_increasing(time, path, "smrmsg")
     position, attitude = records[:, 1:4], np.radians(records[:, 7:10] / 60)
     if (position < 0).any() or (attitude < 0).any():
-        raise InputError(
-            f"{path}: an accuracy is negative; this is not an smrmsg file: choose another."
-        )
+        raise InputError(error("sbet.negative_accuracy", file=str(path)))
     return TrajectoryAccuracy(time, position, attitude)
 
 

@@ -16,6 +16,7 @@ from lispac.io.files import require_file
 from lispac.io.sbet import SbetOptions
 from lispac.io.sbet_motion import signs_of, velocity_frame
 from lispac.io.trajectory_facts import Motion, course_doubts, facts_of, motion_of, time_doubts
+from lispac.messages import error
 from lispac.survey.time_base import plausible, unrolled
 
 Array = NDArray[np.float64]
@@ -143,11 +144,10 @@ def detect_sbet(path: Path) -> Detection:
     """
     path = require_file(Path(path), "SBET")
     size = path.stat().st_size
+    if not size:
+        raise InputError(error("text.empty", file=str(path)))
     if size < 2 * RECORD:
-        raise InputError(
-            f"{path}: {size:,} bytes are {'nothing' if not size else 'not two SBET records'}; "
-            "export it again."
-        )
+        raise InputError(error("sbet.too_short", file=str(path), bytes=size))
     doubts: list[str] = []
     byte_order, _ = byte_order_of(path)
     options = SbetOptions(byte_order=byte_order)
@@ -155,7 +155,7 @@ def detect_sbet(path: Path) -> Detection:
         doubts.append("The numbers are big-endian, which SBET is not; check who wrote the file.")
     blocks, count = blocks_of(path, "<" if byte_order == "little-endian" else ">")
     if not blocks:
-        raise InputError(f"{path}: this SBET file cannot be read; check that the disk is there.")
+        raise InputError(error("sbet.not_readable", file=str(path)))
     head = blocks[0][:5]
     if size % RECORD:
         doubts.append(

@@ -13,6 +13,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.text_layout import MEANINGS, REMARKS
 from lispac.io.text_table import HEMISPHERES, SEPARATORS, coordinate, fields_of, is_number, lines_of
 from lispac.io.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, stated_unit
+from lispac.messages import Message, error
 from lispac.picks import Role, require_name
 
 WHAT = "coordinate list"
@@ -121,18 +122,18 @@ def read_point_list(
     rows = _rows(path)
     first = next(rows, None)
     if first is None:
-        raise InputError(f"{path}: no row of coordinates is in it; give rows of name, x, y, z.")
+        raise InputError(error("seeds.no_coordinates", file=str(path)))
     separator = separator_of(first[1])
     stated = True
     factors: Mapping[str, float] = {}
     if columns:
-        meant = _complete(path, "", tuple(_meaning(word, local) for word in columns))
+        meant = _complete(path, None, tuple(_meaning(word, local) for word in columns))
         if not _holds_numbers(first[1], separator, meant, degrees):
             first = None  # its own names
     elif names := header_of(first[1], separator, local=local):
         if check:
             names = _with_check_columns(names, fields_of(first[1], separator))
-        meant = _complete(path, f", row {first[0]}", names)
+        meant = _complete(path, first[0], names)
         titles = dict(zip(meant, fields_of(first[1], separator), strict=True))
         factors, first = _factors(path, titles, metres, degrees), None
     else:
@@ -147,12 +148,13 @@ def read_point_list(
         for k, found in letters.items():
             found.add(fields[k].strip().upper() if k < len(fields) else "")
     if not points:
-        raise InputError(f"{path}: no row of coordinates follows its names; export it again.")
+        raise InputError(error("seeds.only_names", file=str(path)))
     for k, found in letters.items() if degrees else ():
         if found <= {*HEMISPHERES, "O"}:
             raise InputError(
-                f"{path}: column {k + 1} holds hemispheres ({', '.join(sorted(found))}), which are "
-                "not read there; write them beside the values (48.5N), or give signs."
+                error(
+                    "seeds.hemispheres", file=str(path), column=k + 1, letters=tuple(sorted(found))
+                )
             )
     _require_apart(path, points)
     return PointList(path, tuple(points), meant, stated)
@@ -187,10 +189,7 @@ def _rows(path: Path) -> Iterator[tuple[int, str]]:
             text = bare
         count += 1
         if count > MOST:
-            raise InputError(
-                f"{path}: more than {MOST:,} rows are in it, so it is no list of targets; leave "
-                "only their rows in it."
-            )
+            raise InputError(error("seeds.too_many_rows", file=str(path), most=MOST))
         yield number, text
 
 
@@ -231,27 +230,40 @@ def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str
     )
 
 
-def _complete(path: Path, where: str, meant: tuple[str, ...]) -> tuple[str, ...]:
+def _complete(path: Path, row: int | None, meant: tuple[str, ...]) -> tuple[str, ...]:
     """Refuse columns that are not three coordinates, each once.
+
+    Parameters
+    ----------
+    row : int or None
+        Of the file, with the names of the columns; None where the user gives them.
 
     Raises
     ------
     InputError
     """
     if foreign := [name.rstrip("?") for name in meant if name.endswith("?")]:
-        raise InputError(
-            f"{path}{where}: {', '.join(foreign)} is no axis of the local frame (north, west, up); "
-            "say which coordinate system the list is in."
-        )
-    lacking = [name for name in COORDINATES if name not in meant]
-    twice = [name for name in COLUMNS if meant.count(name) > 1]
-    if lacking or twice:
-        said = f"lack {', '.join(lacking)}" if lacking else f"name {', '.join(twice)} twice"
-        raise InputError(
-            f"{path}{where}: the columns {said}; name them from the left: name, x, y, z for "
-            "example, and - for one that is not used."
-        )
+        raise InputError(_columns_error("other_axes", path, row, foreign))
+    if lacking := [name for name in COORDINATES if name not in meant]:
+        raise InputError(_columns_error("columns_missing", path, row, lacking))
+    if twice := [name for name in COLUMNS if meant.count(name) > 1]:
+        raise InputError(_columns_error("duplicate_columns", path, row, twice))
     return meant
+
+
+_COLUMN_ERRORS = {
+    "other_axes": ("seeds.other_axes", "seeds.other_axes_in_row"),
+    "columns_missing": ("seeds.columns_missing", "seeds.columns_missing_in_row"),
+    "duplicate_columns": ("seeds.duplicate_columns", "seeds.duplicate_columns_in_row"),
+}
+"""Codes of errors of columns that the user names, and of those that a row of the file names."""
+
+
+def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str]) -> Message:
+    given, in_row = _COLUMN_ERRORS[what]
+    if row is None:
+        return error(given, file=str(path), names=tuple(names))
+    return error(in_row, file=str(path), row=row, names=tuple(names))
 
 
 def _holds_numbers(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
@@ -283,12 +295,8 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     elif numbers[1:4] == [True] * 3 and count - numbers[0] == 3:
         start = 1
     else:
-        named = "no name in front" if count < 3 else "which are x, y, z is not clear"
-        raise InputError(
-            f"{path}, row {row}: {count} of its {len(fields)} columns are numbers, and "
-            f"{named if count >= 3 else 'three coordinates are needed'}; put a row of names above "
-            "them (name, x, y, z), or state the columns."
-        )
+        code = "seeds.too_few_numbers" if count < 3 else "seeds.order_unclear"
+        raise InputError(error(code, file=str(path), row=row, found=count, total=len(fields)))
     rest = fields[start + 3 :]
     has_role = bool(rest) and rest[0].lower() in ROLES
     return (
@@ -320,10 +328,8 @@ def _factors(
             continue
         kind = "angle" if angle else "length"
         if unit == UNKNOWN or UNITS[unit].kind != kind:
-            raise InputError(
-                f"{path}: column {title} should be {'an angle' if angle else 'a length'}, in a "
-                "unit that is known; correct its title or its values."
-            )
+            code = "seeds.not_an_angle" if angle else "seeds.not_a_length"
+            raise InputError(error(code, file=str(path), column=title))
         one = UNITS["deg"].si if angle else own
         is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # US survey feet as well
         if not is_of_system:
@@ -339,14 +345,15 @@ def _point(
     path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
     factors: Mapping[str, float],
 ) -> ListedPoint:  # fmt: skip
-    where = f"{path}, row {row}"
     at = {name: k for k, name in enumerate(meant) if name != UNUSED}
     needed = 1 + max(at[name] for name in (NAME, *COORDINATES) if name in at)
     if len(fields) < needed:
         raise InputError(
-            f"{where}: it has {len(fields)} columns where {needed} are needed ("
-            f"{', '.join(meant)}); complete the row or take it out."
-        )
+            error(
+                "seeds.row_too_short", file=str(path), row=row, found=len(fields), needed=needed,
+                names=meant,
+            )
+        )  # fmt: skip
     values = []
     for axis in COORDINATES:
         field = fields[at[axis]]
@@ -358,42 +365,40 @@ def _point(
                 value = None
         if value is None:
             raise InputError(
-                f"{where}: {axis} is {fields[at[axis]][:40]!r}, which is not a number; correct "
-                "the row or take it out."
-            )
+                error(
+                    "seeds.unusable_coordinate", file=str(path), row=row, axis=axis,
+                    value=field[:40],
+                )
+            )  # fmt: skip
         values.append(value * factors.get(axis, 1.0))
     name = fields[at[NAME]].strip() if NAME in at else ""
     if NAME in at:
         try:
             require_name(name)
-        except ProjectError as error:
-            raise InputError(f"{where}: {error}") from error
+        except ProjectError as failure:
+            raise InputError(
+                error("seeds.invalid_name", file=str(path), row=row, reason=failure.reason)
+            ) from failure
     word = fields[at[ROLE]].strip().lower() if ROLE in at and at[ROLE] < len(fields) else ""
     if word and word not in ROLES:
-        raise InputError(
-            f"{where}: the role is {word[:40]!r}; give target or validation (T or V), or leave it "
-            "empty."
-        )
+        raise InputError(error("seeds.unknown_role", file=str(path), row=row, role=word[:40]))
     x, y, z = values
     sigma, plane = (
         fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
         for what in (SIGMA, PLANE)
     )
-    own = _sigma(where, sigma)
+    own = _sigma(path, row, sigma)
     if own is not None:
         own *= factors.get(SIGMA, 1.0)
     return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z), own, plane)
 
 
-def _sigma(where: str, text: str) -> float | None:
+def _sigma(path: Path, row: int, text: str) -> float | None:
     if not text:
         return None
     value = coordinate(text)
     if value is None or value < 0.0:
-        raise InputError(
-            f"{where}: sigma is {text[:40]!r}, which is no number of metres that is zero or more; "
-            "correct the row."
-        )
+        raise InputError(error("seeds.invalid_sigma", file=str(path), row=row, value=text[:40]))
     return value
 
 
@@ -409,12 +414,16 @@ def _require_apart(path: Path, points: Sequence[ListedPoint]) -> None:
     for point in points:
         if point.name and point.name in names:
             raise InputError(
-                f"{path}, row {point.row}: {point.name} stands in row {names[point.name]} already; "
-                "give each target a name of its own."
-            )
+                error(
+                    "seeds.duplicate_name", file=str(path), row=point.row, name=point.name,
+                    other=names[point.name],
+                )
+            )  # fmt: skip
         if point.coordinates in places:
             raise InputError(
-                f"{path}, row {point.row}: these coordinates stand in row "
-                f"{places[point.coordinates]} already; one target is picked once."
-            )
+                error(
+                    "seeds.duplicate_place", file=str(path), row=point.row,
+                    other=places[point.coordinates],
+                )
+            )  # fmt: skip
         names[point.name], places[point.coordinates] = point.row, point.row

@@ -19,7 +19,7 @@ from lispac.io.registry import NOT
 from lispac.io.seed_file import header_of, separator_of
 from lispac.io.text_layout import REMARKS, SEPARATORS
 from lispac.io.text_table import UTF16, fields_of, is_number, lines_of
-from lispac.messages import Message
+from lispac.messages import Message, error
 from lispac.survey.screening import LARGEST
 
 Array = NDArray[np.float64]
@@ -76,14 +76,14 @@ class StaticScan:
         for chunk in chunks:
             good = (np.abs(chunk) <= LARGEST).all(axis=1)
             if not good.all():
+                point = count + int(np.argmin(good)) + 1
                 raise InputError(
-                    f"{self.path}: point {count + int(np.argmin(good)) + 1:,} has a coordinate "
-                    "that is not a usable number; clean or export it again."
+                    error("static_scan.unusable_coordinate", file=str(self.path), point=point)
                 )
             count += len(chunk)
             yield chunk
         if not count:
-            raise InputError(f"{self.path}: this {WHAT} holds no points; export it again.")
+            raise InputError(error("static_scan.no_points", file=str(self.path)))
 
 
 def static_scan(path: Path) -> StaticScan:
@@ -123,10 +123,7 @@ def _kind(path: Path) -> str:
     with path.open("rb") as file:
         head = file.read(HEAD)
     if other or (b"\0" in head and head[:2] not in UTF16):
-        raise InputError(
-            f"{path}: a {WHAT} is read from LAS, LAZ, E57, PTS or text (x, y, z); export it as "
-            "one of these."
-        )
+        raise InputError(error("static_scan.other_format", file=str(path)))
     return ""
 
 
@@ -144,7 +141,7 @@ def _of_text(path: Path, local: bool) -> Array:
     )  # fmt: skip
     first = next(rows, None)
     if first is None:
-        raise InputError(f"{path}: no row of coordinates is in it; give rows of x, y, z.")
+        raise InputError(error("static_scan.no_coordinates", file=str(path)))
     separator = separator_of(first[1])
     names = header_of(first[1], separator, local=local)
     above = first[0] if names else first[0] - 1
@@ -156,15 +153,9 @@ def _of_text(path: Path, local: bool) -> Array:
     else:
         wanted = [k for k, field in enumerate(fields) if is_number(field)][:3]
     if len(wanted) < 3 or max(wanted) >= len(fields):
-        raise InputError(
-            f"{path}, row {sample[0]:,}: three coordinates are needed; name the columns x, y, z in "
-            "a row above them."
-        )
+        raise InputError(error("static_scan.too_few_coordinates", file=str(path), row=sample[0]))
     if any("," in fields[k] for k in wanted):
-        raise InputError(
-            f"{path}, row {sample[0]:,}: a static scan as text is read with decimal points; this "
-            "one has commas: export it again."
-        )
+        raise InputError(error("static_scan.decimal_commas", file=str(path), row=sample[0]))
     with plainly(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
             file, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,

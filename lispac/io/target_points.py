@@ -20,6 +20,7 @@ from lispac.io.points import (
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
 from lispac.io.text_export import LINE_AND_TIME, SCANNER_NAMES
+from lispac.messages import error
 
 FIRST_LIDAR = 5
 """Column of the scanner's x: line, time and three coordinates on the map or in the local frame come
@@ -89,18 +90,17 @@ def _read(path: Path) -> PointChunk:
         names = file.readline().strip().split(",")
         rows = [line.rstrip("\r\n").split(",") for line in file]
     if not _are_names_of_target(names):
-        raise InputError(
-            f"{path}: the first row does not name the columns of an exported target; export it "
-            "again."
-        )
+        raise InputError(error("text.not_a_target", file=str(path)))
     if not rows:
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("line.no_points", file=str(path)))
     for number, row in enumerate(rows, start=2):
         if len(row) != len(names):
             raise InputError(
-                f"{path}: row {number:,} has {len(row):,} columns, not {len(names):,} as the head "
-                "of the file; export it again."
-            )
+                error(
+                    "text.uneven_row", file=str(path), row=number, found=len(row),
+                    needed=len(names),
+                )
+            )  # fmt: skip
     with plainly(path, "a target as CSV"):
         values = np.array([row[1:] for row in rows], dtype=float)
     _, first, line = np.unique([row[0] for row in rows], return_index=True, return_inverse=True)

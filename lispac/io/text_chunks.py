@@ -43,6 +43,7 @@ from lispac.io.text_units import (
     unit_doubts,
     unit_messages,
 )
+from lispac.messages import error
 
 COLUMNS = Option(
     "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
@@ -100,7 +101,7 @@ def look(path: Path, choice: Choice) -> Finding:
         return Finding({**facts, **place_facts(settled)}, preview, found, (doubt,))
     chunk = next(_chunks(path, settled, PREVIEW), None)
     if chunk is None:
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("line.no_points", file=str(path)))
     require_points(chunk.xyz, chunk.time, path)
     chunk = usable_points(chunk)
     metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
@@ -150,17 +151,14 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     if settled["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
         require_one_unit(path, layout)
     if not settled["columns"]:
-        raise InputError(
-            f"{path}: the file does not name its columns; name them from the left, "
-            "time x y z at least."
-        )
+        raise InputError(error("text.columns_not_named", file=str(path)))
     scale, done = scale_of(settled), 0
     for chunk in _chunks(path, settled, CHUNK):
         require_points(chunk.xyz, chunk.time, path, done)
         done += len(chunk.time)
         yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra) if scale != 1 else chunk
     if not done:
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("line.no_points", file=str(path)))
 
 
 def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
@@ -175,10 +173,7 @@ def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
         lines = next(_blocks(file, path, HEAD), [])[:200]
     layout = layout_of(lines)
     if layout.first == len(rows_of(lines)):
-        raise InputError(
-            f"{path}: no row of four numbers or more is in it (a time is seconds, or hh:mm:ss "
-            "without a date); this is not a text file of points."
-        )
+        raise InputError(error("text.no_number_rows", file=str(path)))
     found = {
         "separator": layout.separator,
         "decimal": "comma" if layout.decimal_comma else "point",
@@ -235,15 +230,18 @@ def _columns(path: Path, text: str) -> list[str]:
         name.lower() if name.lower() in known else name
         for name in text.replace(",", " ").replace(";", " ").split()
     ]
+    if not names:
+        raise InputError(error("text.columns_not_named", file=str(path)))
     missing = [name for name in REQUIRED if name not in names]
     if missing:
         raise InputError(
-            f"{path}: the column names given ({', '.join(names) or 'none'}) lack "
-            f"{', '.join(missing)}; name every column of the file from the left."
+            error(
+                "text.columns_missing", file=str(path), names=tuple(names), missing=tuple(missing)
+            )
         )
     twice = sorted({name for name in names if name != "-" and names.count(name) > 1})
     if twice:
-        raise InputError(f"{path}: two columns are named {', '.join(twice)}; name each once.")
+        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(twice)))
     return names
 
 
@@ -273,9 +271,11 @@ def _parsed(
             text, delimiter=SEPARATORS[layout.separator], usecols=wanted, ndmin=2, comments=None,
             converters={at: clock} if clocks else None, encoding=None,
         )  # fmt: skip
-    except ValueError as error:
+    except ValueError as failure:
         _name_the_row(path, block, number, before, names, wanted, layout, clocks=clocks)
-        raise InputError(f"{path}: rows must be numbers ({error}).") from error
+        raise InputError(
+            error("text.not_numbers", file=str(path), reason=str(failure))
+        ) from failure
 
 
 def _name_the_row(
@@ -302,10 +302,13 @@ def _name_the_row(
             try:
                 (clock if as_clock else _plain_number)(fields[column])
             except ValueError:
+                code = "text.not_a_clock_time" if as_clock else "text.not_a_number"
                 raise InputError(
-                    f"{path}, row {k:,}: {names[column]} is {fields[column][:40]!r}; "
-                    + ("times above it are as hh:mm:ss." if as_clock else "rows must be numbers.")
-                ) from None
+                    error(
+                        code, file=str(path), row=k, column=names[column],
+                        value=fields[column][:40],
+                    )
+                ) from None  # fmt: skip
 
 
 def _plain_number(field: str) -> float:
@@ -326,10 +329,11 @@ def _require_width(
     if len(fields) < len(names):
         row = number + 1 if len(lines) == 1 else number + 1 + _first_row(lines)
         raise InputError(
-            f"{path}, row {row:,}: {len(fields)} columns where {len(names)} were named "
-            f"({', '.join(names)}); copy or export it again where it is cut short, or name the "
-            "columns the file has."
-        )
+            error(
+                "text.row_too_short", file=str(path), row=row, found=len(fields),
+                needed=len(names), names=tuple(names),
+            )
+        )  # fmt: skip
 
 
 def _first_row(lines: list[str]) -> int:
@@ -347,7 +351,7 @@ def _opened(path: Path) -> Iterator[IO[bytes]]:
         start = raw.read(2)
         raw.seek(0)
         if start in UTF16:
-            raise InputError(f"{path}: this text is UTF-16; save it as UTF-8.")
+            raise InputError(error("text.utf16", file=str(path)))
         yield cast(IO[bytes], gzip.GzipFile(fileobj=raw)) if start == GZIP else raw
 
 
@@ -369,7 +373,7 @@ def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
         end = data.rfind(b"\n") + 1
         data, rest = data[:end], data[end:]
         if len(rest) > HEAD or b"\0" in data[:HEAD]:
-            raise InputError(f"{path}: this is not text with one point a row.")
+            raise InputError(error("text.no_rows_of_points", file=str(path)))
         if data:
             yield _text(data).split("\n")[:-1]
     if rest.strip():

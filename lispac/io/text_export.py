@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.foreign_values import as_cell
+from lispac.messages import error
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory
@@ -73,7 +74,7 @@ def write_table(
     ]
     for text in texts:
         if any(character in text for character in ',"\n\r'):
-            raise InputError(f"{path.name}: {text} cannot stand in CSV; rename it.")
+            raise InputError(error("text.not_for_csv", file=path.name, text=text))
     shown = [np.array([as_cell(v) for v in c]) if c.dtype.kind == "U" else c for c in columns]
     row = ",".join("{:" + form + "}" for form in formats) + "\n"
     with path.open("w", encoding="utf-8", errors="replace", newline="") as file:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.files import require_file
 from lispac.io.packed import require_unpacked
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -92,7 +93,7 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
     """
     path = require_file(Path(path), what)
     if path.stat().st_size == 0:
-        raise InputError(f"{path}: this {what} file is empty; export it again.")
+        raise InputError(error("text.empty", file=str(path)))
     require_unpacked(path)
     try:
         with path.open(encoding=encoding_of(path), errors="replace", newline=None) as file:
@@ -100,15 +101,11 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
             while line := file.readline(LONGEST_LINE + 1):
                 number += 1
                 if len(line) > LONGEST_LINE or "\0" in line:
-                    raise InputError(
-                        f"{path}, row {number:,}: this is not text; choose the format it has."
-                    )
+                    raise InputError(error("text.not_text", file=str(path), row=number))
                 yield number, line.rstrip("\r\n")
-    except OSError as error:
-        raise InputError(
-            f"{path}: this {what} file cannot be read to its end ({error.strerror}); check that "
-            "the disk is there."
-        ) from error
+    except OSError as failure:
+        reason = str(failure.strerror or failure)
+        raise InputError(error("text.not_read_to_end", file=str(path), reason=reason)) from failure
 
 
 def fields_of(line: str, separator: str = "auto") -> list[str]:
@@ -347,10 +344,11 @@ def columns_of(
         for row, fields in block:
             if len(fields) < width:
                 raise InputError(
-                    f"{path}, row {row:,}: {len(fields)} columns where at least {width} are "
-                    "needed; copy or export the file again where it is cut short, or state "
-                    "its columns."
-                )
+                    error(
+                        "text.too_few_columns", file=str(path), row=row, found=len(fields),
+                        needed=width,
+                    )
+                )  # fmt: skip
         values = [
             _parsed([fields[index] for _, fields in block], parse) for index, parse, _ in wanted
         ]
@@ -359,17 +357,14 @@ def columns_of(
             k = int(np.argmax(bad.any(axis=0)))
             index, _, name = wanted[int(np.argmax(bad[:, k]))]
             row, fields = block[k]
+            value = fields[index][:40]
             raise InputError(
-                f"{path}, row {row:,}: {name} is {fields[index][:40]!r}, which is not a usable "
-                "value; check the columns stated, or export the file again."
+                error("text.unusable_value", file=str(path), row=row, column=name, value=value)
             )
         blocks.append(np.array(values))
         numbers.append(np.array([row for row, _ in block]))
     if not blocks:
-        raise InputError(
-            f"{path}: the file holds no rows of data; check what is stated of its "
-            "separators and header, or export it again."
-        )
+        raise InputError(error("text.no_rows", file=str(path)))
     return list(np.hstack(blocks)), np.concatenate(numbers)
 
 

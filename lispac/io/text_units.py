@@ -8,8 +8,8 @@ from lispac.io.points import SCANNER_UNITS
 from lispac.io.registry import Choice
 from lispac.io.text_layout import BEAMS, TIME_BASES, Layout, bare_name, equal_columns
 from lispac.io.trajectory_grid import LENGTH_WORDS, LENGTHS
-from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN, direction_of
-from lispac.messages import Action, Level, Message
+from lispac.io.units import ANGLE_CODES, UNKNOWN, direction_of
+from lispac.messages import Action, Level, Message, error
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.source import printable
@@ -47,15 +47,8 @@ def require_one_unit(path: Path, layout: Layout) -> None:
     stated = {axis: units.get(axis, "") for axis in AXES}
     if len(set(stated.values())) == 1 and set(stated.values()) <= {"", *LENGTHS}:
         return
-    words = ", ".join(
-        f"{axis} in {UNITS[unit].words if unit in UNITS else 'a unit that is not known'}"
-        for axis, unit in stated.items()
-        if unit
-    )
-    raise InputError(
-        f"{path}: the titles of the columns do not state one unit of length for x, y and z "
-        f"({words}); export them in one unit, or set the unit (option unit)."
-    )
+    titles = [layout.titles[layout.names.index(axis)] for axis, unit in stated.items() if unit]
+    raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
 
 
 def require_degrees(path: Path, layout: Layout) -> None:
@@ -72,10 +65,7 @@ def require_degrees(path: Path, layout: Layout) -> None:
         title = layout.titles[layout.names.index(axis)]
         other = units.get(axis, "") in ANGLE_CODES and units[axis] not in ("deg", "dms")
         if other or (bare_name(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)):
-            raise InputError(
-                f"{path}: column {title} is not in degrees that count to the east or north; export "
-                "it so."
-            )
+            raise InputError(error("text.not_degrees", file=str(path), column=title))
 
 
 ANGLE_NAMES = {"lon", "longitude", "lat", "latitude"}
@@ -90,10 +80,7 @@ def require_cartesian(path: Path, layout: Layout) -> None:
     """
     polar = [title for title in layout.titles if bare_name(title) in BEAMS]
     if len(polar) >= 2 and not set(AXES) <= set(layout.names):
-        raise InputError(
-            f"{path}: the points are in polar coordinates ({', '.join(polar)}); export x, y and z "
-            "in the scanner frame."
-        )
+        raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
 
 
 def unit_messages(path: Path, layout: Layout, choice: Choice) -> Iterator[Message]:

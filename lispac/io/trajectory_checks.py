@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey.time_base import TimeBase, plausible
 from lispac.survey.trajectory import LONGEST_GAP
 
@@ -29,14 +30,16 @@ def require_base(path: Path, time: Array, base: TimeBase) -> None:
     possible = plausible(time)
     if base in possible:
         return
-    hint = (
-        f"choose {' or '.join(other.key for other in possible)}"
-        if possible
-        else "they fit no known time base; check which column or record is the time"
-    )
+    start, end = float(time.min()), float(time.max())
+    if not possible:
+        raise InputError(error("trajectory.no_time_base", file=str(path), start=start, end=end))
+    bases = tuple(other.key for other in possible)
     raise InputError(
-        f"{path}: times from {time.min():.6g} to {time.max():.6g} cannot be {base.name}; {hint}."
-    )
+        error(
+            "trajectory.other_time_base", file=str(path), start=start, end=end, base=base.key,
+            bases=bases,
+        )
+    )  # fmt: skip
 
 
 def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -> None:
@@ -55,11 +58,13 @@ def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -
     bad = np.abs(height) > HIGHEST
     if bad.any():
         k = int(np.argmax(bad))
-        place = f"row {numbers[k]:,}" if numbers is not None else f"record {k + 1:,}"
+        in_row = numbers is not None
         raise InputError(
-            f"{path}, {place}: a height of {height[k]:.6g} m cannot be; check the columns and "
-            "their unit."
-        )
+            error(
+                "trajectory.height_in_row" if in_row else "trajectory.height_in_record",
+                file=str(path), number=_number(k, numbers), height=float(height[k]),
+            )
+        )  # fmt: skip
 
 
 def require_attitude(
@@ -91,12 +96,19 @@ def require_attitude(
         bad |= np.abs(heading) > 4 * np.pi
     if bad.any():
         k = int(np.argmax(bad))
-        place = f"row {numbers[k]:,}" if numbers is not None else f"record {k + 1:,}"
-        angles = ", ".join(f"{np.degrees(angle[k]):.6g}" for angle in attitude)
+        in_row = numbers is not None
         raise InputError(
-            f"{path}, {place}: roll, pitch, heading {angles} deg cannot be; state degrees where "
-            "radians were taken, or check the columns."
-        )
+            error(
+                "trajectory.attitude_in_row" if in_row else "trajectory.attitude_in_record",
+                file=str(path), number=_number(k, numbers), roll=float(roll[k]),
+                pitch=float(pitch[k]), heading=float(heading[k]),
+            )
+        )  # fmt: skip
+
+
+def _number(k: int, numbers: Numbers | None) -> int:
+    """Number of the row in the file, or of the record, of a state."""
+    return int(numbers[k]) if numbers is not None else k + 1
 
 
 def _counts_on(time: Array, heading: Array) -> bool:

@@ -24,6 +24,7 @@ from lispac.io.text_table import (
 from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
 from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, Length, grid_of, unit_of_heights
 from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN
+from lispac.messages import Message, error
 from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -154,9 +155,7 @@ def trajectory_of(
     _apply_hemispheres(path, values, numbers)
     time, notes = _times(path, values, conventions)
     if len(time) < 2:
-        raise InputError(
-            f"{path}: a trajectory needs at least two rows, this has one; export more."
-        )
+        raise InputError(error("trajectory.one_row", file=str(path)))
     require_increasing(time, path, "text", numbers)
     convergence = 0.0 * time
     if grid is None:
@@ -223,11 +222,8 @@ def accuracy_of(
     require_increasing(time, path, "text", numbers)
     for role in SIGMAS:
         if (values[role] < 0).any():
-            row = numbers[int(np.argmax(values[role] < 0))]
-            raise InputError(
-                f"{path}, row {row:,}: a standard deviation is negative; check that this is the "
-                "column of standard deviations, or export again."
-            )
+            row = int(numbers[int(np.argmax(values[role] < 0))])
+            raise InputError(error("trajectory.negative_sigma", file=str(path), row=row))
     table = [values[role] for role in SIGMAS]
     return TrajectoryAccuracy(time, np.stack(table[:3], axis=1), np.stack(table[3:], axis=1))
 
@@ -247,35 +243,43 @@ def _one(path: Path, columns: Sequence[Column], role: str) -> Column:
     for column in columns:
         if column.role == role:
             return column
-    raise InputError(
-        f"{path}: there is no column of {role.replace('_sd', ' standard deviation')}; export it "
-        "too, or choose another file."
-    )
+    raise InputError(error("trajectory.no_column", file=str(path), column=role))
 
 
 def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> list[Column]:
     missing = missing_roles(columns)
     if missing:
-        raise InputError(
-            f"{path}: the columns {', '.join(column.name for column in columns) or '(none)'} lack "
-            f"{', '.join(missing)}; export these too, or state the columns."
-        )
+        raise InputError(_missing_columns(path, columns))
     roles = {column.role for column in columns}
     place = GRID if conventions.crs and roles.issuperset(GRID) else POSITION
     if not roles.issuperset(place):
-        raise InputError(
-            f"{path}: the positions are eastings and northings; state their coordinate system "
-            "(an EPSG code, EPSG:32619 say)."
-        )
+        raise InputError(error("trajectory.no_system", file=str(path)))
     if conventions.heading == "grid" and place is POSITION:
-        raise InputError(
-            f"{path}: a heading from grid north needs eastings, northings and their coordinate "
-            "system; state the system or choose a true heading."
-        )
+        raise InputError(error("trajectory.grid_heading", file=str(path)))
     height = "height" if "height" in roles else "sea_height"
     chosen = [_one(path, columns, role) for role in ("time", *place, height, *ATTITUDE)]
     beside = ("date", *(HEMISPHERES if place is POSITION else ()))
     return chosen + [column for column in columns if column.role in beside]
+
+
+def _missing_columns(path: Path, columns: Sequence[Column]) -> Message:
+    """The message about columns that a trajectory lacks."""
+    file, names = str(path), tuple(column.name for column in columns)
+    if not names:
+        return error("trajectory.no_columns", file=file)
+    roles = {column.role for column in columns}
+    has_height, has_position = (
+        not roles.isdisjoint(HEIGHTS), roles.issuperset(POSITION) or roles.issuperset(GRID)
+    )  # fmt: skip
+    missing = tuple(
+        role
+        for role in ("time", *POSITION, "height", *ATTITUDE)
+        if not (role in roles or (role in HEIGHTS and has_height))
+        and not (role in POSITION and has_position)
+    )
+    if has_position:
+        return error("trajectory.columns_missing", file=file, names=names, missing=missing)
+    return error("trajectory.position_missing", file=file, names=names, missing=missing)
 
 
 def map_doubts(
@@ -335,10 +339,8 @@ def _require_kind(path: Path, column: Column, wanted: Literal["an angle", "a len
     else:
         fits = column.unit in (UNSTATED, *LENGTHS)
     if not fits:
-        raise InputError(
-            f"{path}: column {column.name} is in {UNIT_WORDS.get(column.unit, 'no unit')} by its "
-            f"header, and should be {wanted}; mend the header, or export it again."
-        )
+        code = "trajectory.not_an_angle" if wanted == "an angle" else "trajectory.not_a_length"
+        raise InputError(error(code, file=str(path), column=column.name, unit=column.unit))
 
 
 def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
@@ -350,10 +352,11 @@ def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
     """
     for column in columns:
         if column.unit.startswith(UNKNOWN):
-            stated = column.unit[len(UNKNOWN) :].strip() or "its unit"
+            unit, file = column.unit[len(UNKNOWN) :].strip(), str(path)
             raise InputError(
-                f"{path}: the header states {stated!r} for column {column.name}, which is not a "
-                "known unit or has two meanings; set the unit, or mend the header."
+                error("trajectory.unknown_unit", file=file, column=column.name, unit=unit)
+                if unit
+                else error("trajectory.ambiguous_title", file=file, column=column.name)
             )
 
 
@@ -371,11 +374,9 @@ def _read(
     table, numbers = columns_of(path, rows, wanted)
     for column, own in zip(columns, table, strict=True):
         if column.unit.endswith(("-west", "-south")) and (own < 0).all():
-            way = column.unit.rpartition("-")[2]
-            raise InputError(
-                f"{path}: column {column.name} counts to the {way} by its title, but its values "
-                "are negative; correct the title or the signs."
-            )
+            is_west = column.unit.endswith("-west")
+            code = "trajectory.negative_west" if is_west else "trajectory.negative_south"
+            raise InputError(error(code, file=str(path), column=column.name))
     with np.errstate(over="ignore"):
         values = {
             column.role: values * factors.get(column.role, PARSERS[column.unit][1])
@@ -406,10 +407,9 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
             continue
         twice = values[place] < 0
         if twice.any():
-            row = numbers[int(np.argmax(twice))]
+            row = int(numbers[int(np.argmax(twice))])
             raise InputError(
-                f"{path}, row {row:,}: the {place} has both a minus sign and a hemisphere; export "
-                "one of them, or name the column of the hemisphere -."
+                error("trajectory.sign_and_hemisphere", file=str(path), row=row, role=place)
             )
         values[place] = values[place] * sign
 
@@ -421,10 +421,7 @@ def _times(
     time = values["time"]
     if "date" in values:
         if base.period is not None or base.key == "gps-adjusted":
-            raise InputError(
-                f"{path}: its rows have a date, so their times are UTC or GPS seconds, not "
-                f"{base.name}; choose unix (UTC) or gps-full (GPS)."
-            )
+            raise InputError(error("trajectory.dates", file=str(path), base=base.key))
         calendar = values["date"] + time
         return (calendar if base.utc else calendar - GPS_EPOCH), (
             f"date and time of day are {'UTC' if base.utc else 'GPS'}",
@@ -445,15 +442,12 @@ def _require_on_earth(
     bad = (np.abs(latitude) > np.pi / 2) | (np.abs(longitude) > 2 * np.pi)
     if not bad.any():
         return
-    row = int(np.argmax(bad))
-    lat, lon = np.degrees(latitude[row]), np.degrees(longitude[row])
-    if abs(lat) <= 180 and np.abs(longitude).max() <= np.pi / 2:
-        hint = "latitude and longitude may be swapped: state the columns the other way round"
+    k = int(np.argmax(bad))
+    lat, lon = float(latitude[k]), float(longitude[k])
+    if abs(lat) <= np.pi and np.abs(longitude).max() <= np.pi / 2:
+        code = "trajectory.exchanged_position"
     elif unit == "rad" and np.abs(np.radians(latitude)).max() <= np.pi / 2:
-        hint = "they are degrees read as radians: state degrees"
+        code = "trajectory.position_in_degrees"
     else:
-        hint = "check the columns and their unit"
-    raise InputError(
-        f"{path}, row {numbers[row]:,}: latitude {lat:.6g} and longitude {lon:.6g} deg are not on "
-        f"Earth; {hint}."
-    )
+        code = "trajectory.not_on_earth"
+    raise InputError(error(code, file=str(path), row=int(numbers[k]), latitude=lat, longitude=lon))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.units import UNITS
+from lispac.messages import error
 from lispac.survey.crs_area import meant_elsewhere
 
 if TYPE_CHECKING:
@@ -131,12 +132,14 @@ class Grid:
             bad = ~(np.isfinite(longitude) & np.isfinite(latitude))
             if bad.any():
                 raise InputError(
-                    f"{path}: eastings and northings lie outside {self.text} ({system.name}); "
-                    "state the coordinate system they are in, and check that they are not swapped."
-                )
+                    error(
+                        "trajectory.outside_system", file=str(path), system=self.text,
+                        name=system.name,
+                    )
+                )  # fmt: skip
             factors = Proj(system).get_factors(longitude, latitude)
-        except ProjError as error:
-            raise _unusable(path, self.text, error) from error
+        except ProjError as failure:
+            raise _unusable(path, self.text, failure) from failure
         convergence = np.radians(np.asarray(factors.meridian_convergence, dtype=np.float64))
         return np.radians(latitude), np.radians(longitude), convergence
 
@@ -154,12 +157,11 @@ def grid_of(path: Path, text: str) -> Grid:
 
     try:
         system = CRS.from_user_input(text)
-    except ProjError as error:
-        raise _unusable(path, text, error) from error
+    except ProjError as failure:
+        raise _unusable(path, text, failure) from failure
     if not system.is_projected or system.geodetic_crs is None:
         raise InputError(
-            f"{path}: {text} ({system.name}) is not a projected coordinate system; state the "
-            "one of the eastings and northings."
+            error("trajectory.not_projected", file=str(path), system=text, name=system.name)
         )
     horizontal = system.sub_crs_list[0] if system.is_compound else system
     across = horizontal.axis_info[0]
@@ -200,9 +202,8 @@ def _named(metres: float, name: str) -> str:
     return near[0] if near else f"{name} ({metres:.9g} m each)"
 
 
-def _unusable(path: Path, text: str, error: Exception) -> InputError:
-    said = str(error).splitlines()[0][:120] if str(error) else type(error).__name__
+def _unusable(path: Path, text: str, failure: Exception) -> InputError:
+    reason = str(failure).splitlines()[0][:120] if str(failure) else type(failure).__name__
     return InputError(
-        f"{path}: the coordinate system {text!r} cannot be used ({said}); state an EPSG code such "
-        "as EPSG:32619."
+        error("trajectory.unusable_system", file=str(path), system=text, reason=reason)
     )

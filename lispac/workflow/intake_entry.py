@@ -74,6 +74,8 @@ class Entry:
     content : Trajectory, TrajectoryAccuracy, LineTimes or None
     error : str
         Why the file cannot be used, in a sentence.
+    error_code : str
+        Code of the message of this error; empty where it has none.
     shift : float, seconds
         Added to the times of a line.
     follows : bool
@@ -98,6 +100,7 @@ class Entry:
     finding: Finding | None = None
     content: Content | None = None
     error: str = ""
+    error_code: str = ""
     shift: float = 0.0
     follows: bool = False
     place: Place | None = None
@@ -220,7 +223,7 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
     ------
     Cancelled
     """
-    entry = replace(entry, pending=False, error="", content=None, place=None)
+    entry = replace(entry, pending=False, error="", error_code="", content=None, place=None)
     if entry.role is None or entry.format is None:
         return entry
     if entry.finding is None or not entry.stated:
@@ -243,7 +246,8 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
     except Cancelled:
         raise
     except LispacError as error:
-        return replace(entry, error=without_path(str(error), entry.path))
+        words = without_path(str(error), entry.path)
+        return replace(entry, error=words, error_code=error.code)
 
 
 def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
@@ -257,7 +261,8 @@ def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
         return replace(entry, finding=looked_at(entry.path, entry.format, stated))
     except LispacError as error:
         kept = entry.finding or (None if known is None else known.finding)
-        return replace(entry, finding=kept, error=without_path(str(error), entry.path))
+        words = without_path(str(error), entry.path)
+        return replace(entry, finding=kept, error=words, error_code=error.code)
 
 
 def _filled(entry: Entry, progress: Progress) -> Entry:

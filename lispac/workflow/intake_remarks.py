@@ -181,12 +181,20 @@ def _one_too_many(role: str) -> Remark:
     )
 
 
+SYSTEM_ERRORS = {
+    "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
+    "trajectory.not_projected", "trajectory.unusable_system",
+}  # fmt: skip
+"""Codes of errors that another coordinate system may end."""
+
+
 def _own(entry: Entry, longest_gap: float) -> list[Remark]:
     """What the file says by itself."""
     told: list[Remark] = []
     if entry.error:
         ask = Remedy("State the coordinate system", ask="crs")
-        wanted = "coordinate system" in entry.error and "crs" in entry.options
+        about_system = entry.error_code in SYSTEM_ERRORS or "coordinate system" in entry.error
+        wanted = about_system and "crs" in entry.options
         told.append(Remark("error", entry.error, (ask, LEAVE_OUT) if wanted else (LEAVE_OUT,)))
     elif entry.place is not None and entry.place.error:
         ask = Remedy("State the coordinate system", ask="crs")
