@@ -279,7 +279,7 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         capsys, "simulate", "marine", "--vessel", hurried, "--latency", -5, "--output",
         tmp_path / "a", "--points-per-second", 5_000,
     )  # fmt: skip
-    assert "lead out of the trajectory" in said
+    assert "extend beyond the trajectory" in said
     full = tmp_path / "full"
     full.mkdir()
     (full / "thesis.doc").write_text("mine")

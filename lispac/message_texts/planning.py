@@ -42,9 +42,9 @@ TEXTS: Mapping[str, Template] = {
         "Positions, heights, tilts or sizes of the boards are missing. Give at least one of each."
     ),
     "design.too_long": N_(
-        "{lines:n} lines of {minutes_per_line:x} minutes and {boards:n} boards of "
-        "{minutes_per_board:x} minutes take {needed:x} minutes, longer than the {available:x} "
-        "minutes on site. Allow fewer, or more time."
+        "{lines:n} lines of {minutes_per_line:x.1} minutes and {boards:n} boards of "
+        "{minutes_per_board:x.1} minutes take {needed:x.1} minutes, longer than the "
+        "{available:x.1} minutes on site. Allow fewer, or more time."
     ),
     "design.lines_too_close": N_(
         "No heading and distance keep {closest:m} m from the wall. Allow others."

@@ -67,32 +67,33 @@ TEXTS: Mapping[str, Template] = {
         "a decimal year. Give the height reference separately."
     ),
     "crs.grids_missing": Plural(
-        "PROJ needs the grid file {grids:names} from {source} to {target}. It is not on this "
-        "computer and is not downloaded. Put it into {folder}, or export the points with "
-        "ellipsoidal heights in the datum of the trajectory.",
-        "PROJ needs the grid files {grids:names} from {source} to {target}. They are not on this "
-        "computer and are not downloaded. Put them into {folder}, or export the points with "
-        "ellipsoidal heights in the datum of the trajectory.",
+        "The transformation from {source} to {target} needs the grid file {grids:names}, which is "
+        "not on this computer and is not downloaded. Put it into {folder}, or export the points "
+        "with ellipsoidal heights in the datum of the trajectory.",
+        "The transformation from {source} to {target} needs the grid files {grids:names}, which "
+        "are not on this computer and are not downloaded. Put them into {folder}, or export the "
+        "points with ellipsoidal heights in the datum of the trajectory.",
     ),
     "crs.grids_missing_geoid": Plural(
-        "PROJ needs the grid file {grids:names} from {source} to {target}. It is not on this "
-        "computer and is not downloaded. Give the geoid as a file (.gtx, .tif), put the grid file "
-        "into {folder}, or export the points with ellipsoidal heights in the datum of the "
-        "trajectory.",
-        "PROJ needs the grid files {grids:names} from {source} to {target}. They are not on this "
-        "computer and are not downloaded. Give the geoid as a file (.gtx, .tif), put the grid "
-        "files into {folder}, or export the points with ellipsoidal heights in the datum of the "
-        "trajectory.",
+        "The transformation from {source} to {target} needs the grid file {grids:names}, which is "
+        "not on this computer and is not downloaded. Give the geoid as a file (.gtx, .tif), put "
+        "the grid file into {folder}, or export the points with ellipsoidal heights in the datum "
+        "of the trajectory.",
+        "The transformation from {source} to {target} needs the grid files {grids:names}, which "
+        "are not on this computer and are not downloaded. Give the geoid as a file (.gtx, .tif), "
+        "put the grid files into {folder}, or export the points with ellipsoidal heights in the "
+        "datum of the trajectory.",
     ),
     "crs.grid_missing": N_(
-        "PROJ needs a grid file from {source} to {target}. It is not on this computer and is not "
-        "downloaded. Put it into {folder}, or export the points with ellipsoidal heights in the "
-        "datum of the trajectory."
+        "The transformation from {source} to {target} needs a grid file that is not on this "
+        "computer and is not downloaded. Put it into {folder}, or export the points with "
+        "ellipsoidal heights in the datum of the trajectory."
     ),
     "crs.grid_missing_geoid": N_(
-        "PROJ needs a grid file from {source} to {target}. It is not on this computer and is not "
-        "downloaded. Give the geoid as a file (.gtx, .tif), put the grid file into {folder}, or "
-        "export the points with ellipsoidal heights in the datum of the trajectory."
+        "The transformation from {source} to {target} needs a grid file that is not on this "
+        "computer and is not downloaded. Give the geoid as a file (.gtx, .tif), put the grid file "
+        "into {folder}, or export the points with ellipsoidal heights in the datum of the "
+        "trajectory."
     ),
     "crs.epoch_missing": N_(
         "The transformation from {source} to {target} changes with time. Give the date of the "
