@@ -85,12 +85,14 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.only_plane": N_(
         "{target} is the only target and a plane: only the headings of the lines separate the "
         "angles. Add a target with a different orientation, or a sphere. If there is none, choose "
-        '"Accept targets that all face one way" (--accept-one-facing at the command line).'
+        '"Accept targets that all face one way" under Advanced (--accept-one-facing at the command '
+        "line)."
     ),
     "adjustment.parallel_planes": N_(
         "All targets are planes that face the same way: only the headings of the lines separate "
         "the angles. Add a target with a different orientation, or a sphere. If there is none, "
-        'choose "Accept targets that all face one way" (--accept-one-facing at the command line).'
+        'choose "Accept targets that all face one way" under Advanced (--accept-one-facing at the '
+        "command line)."
     ),
     # -- iterations --------------------------------------------------------------------------------
     "adjustment.not_converged": N_(
