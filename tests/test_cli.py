@@ -149,7 +149,7 @@ def test_one_plane_file_is_refused_unless_accepted(
     plane = shared_data / "prototype/a/plane2.txt"
     words = ("estimate", "--planes", plane, "--lever-arm", 0, 0, 0)
     message = refused(capsys, *words)
-    assert "is the only target, a plane" in message
+    assert "is the only target and a plane" in message
     assert "--accept-one-facing" in message
     numbers = answer(capsys, *words, "--accept-one-facing", "--no-cross-checks")
     assert "is the only target" in numbers["observability"]["in_words"][-1]

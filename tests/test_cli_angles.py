@@ -208,7 +208,7 @@ def test_refusals(capsys, tmp_path: Path) -> None:
     for text, words in {
         "1 0 0 0 1 0 0 0 -1": "mirrors",
         "2 0 0 0 1 0 0 0 1": "not a rotation",
-        "1 2 3": "3 numbers are no 3x3",
+        "1 2 3": "3 numbers do not make a 3x3",
         "1 0 0 a 1 0 0 0 1": "3x3 or 4x4",
         "1 0 0 0  0 1 0 0  0 0 1 0  5 6 7 1": "last row",
         "1 0 0 nan  0 1 0 0  0 0 1 0  0 0 0 1": "not finite",
@@ -216,9 +216,9 @@ def test_refusals(capsys, tmp_path: Path) -> None:
         file.write_text(text)
         assert words in refused(capsys, "--from-matrix", file)
     assert "No such file" in refused(capsys, "--from-matrix", tmp_path / "none.txt")
-    assert "no system named posmv" in refused(capsys, 1, 2, 3, "--to", "posmv")
-    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
-    assert "only as a matrix" in refused(capsys, 1, 2, 3, "--from", "riprocess")
+    assert "posmv: there is no convention" in refused(capsys, 1, 2, 3, "--to", "posmv")
+    assert "only a matrix" in refused(capsys, 1, 2, 3, "--to", "pdal", "--current", 1, 2, 3)
+    assert "only a matrix" in refused(capsys, 1, 2, 3, "--from", "riprocess")
     assert "left-handed" in refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
     assert "not a direction" in refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
                                         "ahead", "port", "up")  # fmt: skip
@@ -311,7 +311,7 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
 
 def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> None:
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
-    assert "give 9 or 16" in refused(capsys, *words, 1, 0, 0)
+    assert "Give 9 or 16" in refused(capsys, *words, 1, 0, 0)
     assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
     assert "one of them" in refused(
         capsys, *words, *np.eye(3).ravel(), "--current", 1, 2, 3, code=2

@@ -88,7 +88,7 @@ def test_limits_that_make_no_sense_are_refused(
 ) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
-    assert "longer than the 5 minutes on site" in refused(capsys, "design", site)
+    assert "longer than the 5.0 minutes on site" in refused(capsys, "design", site)
 
 
 def test_replay_of_the_built_in_survey(

@@ -16,6 +16,7 @@ from lispac.validation.comparison import (
     reciprocal,
 )
 from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE
+from tests.error_codes import has_code
 
 Array = NDArray[np.float64]
 OPPOSITE = {"L1": 0.0, "L2": np.pi}
@@ -197,39 +198,46 @@ def test_lines_that_saw_different_parts_are_named() -> None:
 
 def test_plane_on_one_line_is_refused() -> None:
     nothing = np.empty((0, 3))
-    with pytest.raises(NotComparable, match=r"V4 is seen on one line only \(L1\)"):
+    with pytest.raises(
+        NotComparable, check=has_code("validation.plane_in_one_line", plane="V4", line="L1")
+    ):
         compare_plane("V4", {"L1": wall(1)}, {"L1": wall(1)}, OPPOSITE)
     clouds = {"L1": wall(1), "L2": nothing}
-    with pytest.raises(NotComparable, match="one line only"):
+    with pytest.raises(NotComparable, check=has_code("validation.plane_in_one_line")):
         compare_plane("V4", clouds, clouds, OPPOSITE)
-    with pytest.raises(NotComparable, match="on no line"):
+    with pytest.raises(NotComparable, check=has_code("validation.plane_in_no_line")):
         compare_plane("V4", {"L1": nothing}, {"L1": nothing}, OPPOSITE)
 
 
 def test_lines_without_overlap_are_refused() -> None:
     clouds = {"L1": wall(1), "L2": wall(2, low=(5.0, 0.0), high=(7.0, 3.0))}
-    with pytest.raises(NotComparable, match="No two lines overlap on the validation plane V2"):
+    with pytest.raises(NotComparable, check=has_code("validation.no_overlap", plane="V2")):
         compare_plane("V2", clouds, clouds, OPPOSITE)
 
 
 def test_points_in_one_row_overlap_nothing() -> None:
     row = np.column_stack((np.linspace(0, 1, 100), np.zeros(100), np.zeros(100)))
     clouds = {"L1": row, "L2": row}
-    with pytest.raises(NotComparable, match="No two lines overlap"):
+    with pytest.raises(NotComparable, check=has_code("validation.no_overlap")):
         compare_plane("V2", clouds, clouds, OPPOSITE)
 
 
 def test_states_of_different_points_are_refused() -> None:
     a, b = wall(1), wall(2)
-    with pytest.raises(InputError, match="L2 has 4000 points on V1 before and 3999 after"):
+    with pytest.raises(
+        InputError,
+        check=has_code("validation.other_points", line="L2", plane="V1", before=4000, after=3999),
+    ):
         compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": b[1:]}, OPPOSITE)
-    with pytest.raises(InputError, match="L3 stands in one state only"):
+    with pytest.raises(InputError, check=has_code("validation.other_lines", lines=("L3",))):
         compare_plane("V1", {"L1": a, "L2": b, "L3": b}, {"L1": a, "L2": b}, OPPOSITE)
-    with pytest.raises(InputError, match="heading of line L2"):
+    with pytest.raises(InputError, check=has_code("validation.no_heading", line="L2")):
         compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": b}, {"L1": 0.0})
     broken = b.copy()
     broken[3, 2] = np.nan
-    with pytest.raises(InputError, match=r"V1 on line L2 \(after\)"):
+    with pytest.raises(
+        InputError, check=has_code("validation.not_finite_after", plane="V1", line="L2")
+    ):
         compare_plane("V1", {"L1": a, "L2": b}, {"L1": a, "L2": broken}, OPPOSITE)
 
 
@@ -239,9 +247,9 @@ def test_statistics_of_known_numbers() -> None:
     assert (statistics.p68, statistics.p95, statistics.p99) == (68.0, 95.0, 99.0)
     assert statistics.mean == 50.0
     assert statistics.rms == pytest.approx(np.sqrt(100 * 201 / 6))
-    with pytest.raises(InputError, match="at least one distance"):
+    with pytest.raises(InputError, check=has_code("validation.no_distances")):
         DistanceStatistics.of([])
-    with pytest.raises(InputError, match="finite"):
+    with pytest.raises(InputError, check=has_code("validation.no_distances")):
         DistanceStatistics.of([1.0, np.nan])
 
 

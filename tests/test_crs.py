@@ -15,6 +15,7 @@ from lispac.io.las_chunks import LAS
 from lispac.io.las_crs import stated_system
 from lispac.io.points import system_of
 from lispac.survey.crs import coordinate_system
+from tests.error_codes import has_code
 
 
 def test_utm_points_and_their_ecef_twins_agree(
@@ -141,39 +142,50 @@ def test_heights_above_a_geoid_file(tmp_path: Path) -> None:
     far = plain.from_geodetic(
         np.radians(np.array([55.0])), np.radians(np.array([-71.2])), np.zeros(1)
     )
-    with pytest.raises(InputError, match="outside"):
+    with pytest.raises(InputError, check=has_code("crs.points_outside")):
         system.to_geodetic(far)
 
 
 @pytest.mark.parametrize(
-    ("text", "options", "said"),
+    ("text", "options", "code"),
     [
-        ("", {}, "name no coordinate system"),
-        ("EPSG:999999", {}, "not a coordinate system known"),
-        ("nowhere", {}, "not a coordinate system known"),
-        ('LOCAL_CS["site",UNIT["metre",1]]', {}, "not tied to the earth"),
-        ("EPSG:6347+5703", {}, r"us_noaa_g2018u0\.tif.* not fetched from the network"),
-        ("EPSG:2949", {"height": "6647"}, "not on this machine"),
-        ("EPSG:32619", {"height": "EPSG:32619"}, "not a system of heights"),
-        ("EPSG:32619", {"height": "absent.gtx"}, "no such geoid grid"),
-        ("EPSG:32619", {"height_unit": "fathom"}, "not a unit"),
-        ("EPSG:27700", {}, "state the datum of the trajectory"),
-        ("EPSG:27700", {"trajectory_datum": "EPSG:4979"}, "OSTN15"),
-        ("EPSG:6347", {"trajectory_datum": "EPSG:7912"}, "changes with time"),
-        ("EPSG:6347", {"trajectory_datum": "EPSG:32618"}, "not a geographic"),
+        ("", {}, "crs.none_given"),
+        ("EPSG:999999", {}, "crs.unknown"),
+        ("nowhere", {}, "crs.unknown"),
+        ('LOCAL_CS["site",UNIT["metre",1]]', {}, "crs.not_tied_to_earth"),
+        ("EPSG:6347+5703", {}, "crs.grids_missing_geoid"),
+        ("EPSG:2949", {"height": "6647"}, "crs.grid_missing_geoid"),
+        ("EPSG:32619", {"height": "EPSG:32619"}, "crs.not_vertical"),
+        ("EPSG:32619", {"height": "absent.gtx"}, "crs.geoid_not_found"),
+        ("EPSG:32619", {"height_unit": "fathom"}, "crs.unknown_unit"),
+        ("EPSG:27700", {}, "crs.other_ellipsoid"),
+        ("EPSG:27700", {"trajectory_datum": "EPSG:4979"}, "crs.grids_missing"),
+        ("EPSG:6347", {"trajectory_datum": "EPSG:7912"}, "crs.epoch_missing"),
+        ("EPSG:6347", {"trajectory_datum": "EPSG:32618"}, "crs.not_geographic"),
     ],
 )
-def test_what_is_refused(text: str, options: dict[str, str], said: str) -> None:
-    with pytest.raises(InputError, match=said) as refused:
+def test_what_is_refused(text: str, options: dict[str, str], code: str) -> None:
+    with pytest.raises(InputError, check=has_code(code)) as refused:
         coordinate_system(text, **options)
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "datum", "grid"),
+    [("EPSG:6347+5703", "", "us_noaa_g2018u0.tif"), ("EPSG:27700", "EPSG:4979", "OSTN15")],
+)
+def test_a_missing_grid_is_named(text: str, datum: str, grid: str) -> None:
+    with pytest.raises(InputError) as refused:
+        coordinate_system(text, trajectory_datum=datum)
+    assert refused.value.message is not None
+    assert grid in " ".join(refused.value.message.params["grids"])
 
 
 def test_a_system_out_of_joint_is_refused() -> None:
     wkt = CRS("EPSG:32619").to_wkt()
     damaged = wkt.replace('Mercator",ID["EPSG",9807]', 'Mercator"-ID["EPSG",9807]')
     assert damaged != wkt
-    with pytest.raises(InputError, match="PROJ cannot use this coordinate system"):
+    with pytest.raises(InputError, check=has_code("crs.unusable")):
         coordinate_system(damaged)
 
 
@@ -187,7 +199,10 @@ def test_datums_are_shifted_only_when_asked() -> None:
 
 
 def test_points_off_the_map_are_refused() -> None:
-    with pytest.raises(InputError, match="lies outside WGS 84 / UTM zone 19N"):
+    with pytest.raises(
+        InputError,
+        check=has_code("crs.points_outside", count=1, system="WGS 84 / UTM zone 19N (EPSG:32619)"),
+    ):
         coordinate_system("EPSG:32619").to_geodetic(np.array([[1e9, 1e9, 0.0]]))
 
 

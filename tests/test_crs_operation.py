@@ -7,36 +7,39 @@ import pytest
 from pyproj import CRS, Transformer
 
 from lispac.errors import InputError
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.survey.crs import coordinate_system
 
 ITRF = "EPSG:7912"
 
 
-def refusal(text: str) -> str:
+def refusal(text: str) -> Message:
     with pytest.raises(InputError) as refused:
         coordinate_system(text, trajectory_datum=ITRF)
-    return str(refused.value)
+    assert refused.value.message is not None
+    return refused.value.message
 
 
 @pytest.mark.parametrize("text", ["EPSG:2949", "EPSG:2959", "EPSG:2949+6647", "EPSG:4617"])
 def test_datum_that_stands_for_its_realizations(text: str) -> None:
-    said = refusal(text)
-    assert "knows no way" in said
-    assert "on this machine" not in said
-    assert "put it into" not in said
-    assert ("heights are counted from" in said) == ("+" in text)
-    codes = re.findall(r"(EPSG:\d+|urn:\S+) \((NAD83\(CSRS\)v\d[^)]*)", said)
+    message = refusal(text)
+    compound = "+" in text
+    assert message.code == ("crs.datum_ensemble_heights" if compound else "crs.datum_ensemble")
+    codes = re.findall(
+        r"(EPSG:\d+|urn:\S+) \((NAD83\(CSRS\)v\d[^)]*)", " ".join(message.params["systems"])
+    )
     assert len(codes) == 2
     for code, name in codes:
         found = CRS.from_user_input(code)
         assert found.name == name
-        # With the code that the sentence names, and a date, it goes.
+        # With the code that the message names, and a date, it goes.
         coordinate_system(code, trajectory_datum=ITRF, epoch=2023.5)
 
 
 def test_projection_is_the_same_on_the_realization_named() -> None:
     plain = coordinate_system("EPSG:2949")
-    code = re.findall(r"urn:\S+", refusal("EPSG:2949"))[1]
+    code = re.findall(r"urn:\S+", message_text(refusal("EPSG:2949")))[1]
     realized = coordinate_system(code)
     place = (np.radians([46.8]), np.radians([-71.2]), np.array([10.0]))
     np.testing.assert_allclose(
@@ -46,7 +49,7 @@ def test_projection_is_the_same_on_the_realization_named() -> None:
 
 def test_shift_is_that_of_the_realization() -> None:
     """By PROJ's own pipeline from ITRF2014 to NAD83(CSRS)v7, at another projection."""
-    code = re.findall(r"urn:\S+", refusal("EPSG:2949"))[1]
+    code = re.findall(r"urn:\S+", message_text(refusal("EPSG:2949")))[1]
     shifted = coordinate_system(code, trajectory_datum=ITRF, epoch=2023.5)
     place = shifted.from_geodetic(np.radians([46.8]), np.radians([-71.2]), np.array([10.0]))[0]
     way = Transformer.from_crs(7912, 8254, always_xy=True)
@@ -56,10 +59,10 @@ def test_shift_is_that_of_the_realization() -> None:
 
 
 def test_no_way_at_all_names_no_grid() -> None:
-    said = refusal("EPSG:2154")
-    assert "knows no way" in said
-    assert "epsg.org" in said
+    assert refusal("EPSG:2154").code == "crs.no_operation"
 
 
 def test_missing_date_names_the_option() -> None:
-    assert "--epoch 2024.5" in refusal("EPSG:22718")
+    message = refusal("EPSG:22718")
+    assert message.code == "crs.epoch_missing"
+    assert "epoch=2024.5" in message_text(message)

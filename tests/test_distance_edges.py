@@ -11,6 +11,7 @@ from lispac.validation.distance_map import distance_map
 from lispac.validation.local_models import LocalModel
 from lispac.validation.normal_distance import distances_along_normal
 from lispac.validation.results import DistanceStatistics, SignedStatistics
+from tests.error_codes import has_code
 from tests.test_distance_map import TO_VESSEL, wall
 
 
@@ -37,11 +38,9 @@ def test_points_farther_than_the_maximum_are_not_measured() -> None:
 
 def test_points_of_another_shape_are_refused() -> None:
     flat = np.zeros((50, 2))
-    with pytest.raises(InputError) as refused:
+    expected = {"plane": "V1", "line": "L1", "shape": "(50, 2)"}
+    with pytest.raises(InputError, check=has_code("validation.shape_before", **expected)):
         compare_plane("V1", {"L1": flat}, {"L1": np.zeros((50, 3))}, {"L1": 0.0})
-    assert str(refused.value) == (
-        "The points of V1 on line L1 (before) must have the shape (n, 3), and theirs is (50, 2)."
-    )
 
 
 def test_places_seen_in_one_state_each_make_no_map() -> None:
@@ -55,15 +54,13 @@ def test_places_seen_in_one_state_each_make_no_map() -> None:
 
 
 def test_a_local_model_that_is_none_is_refused() -> None:
-    with pytest.raises(InputError) as refused:
+    with pytest.raises(InputError, check=has_code("validation.unknown_model", kind="cubic")):
         LocalModel("cubic")
-    assert str(refused.value) == ("There is no local model 'cubic'; choose point, plane, quadric.")
 
 
 def test_without_a_place_there_is_no_distance() -> None:
-    with pytest.raises(NotComparable) as refused:
+    with pytest.raises(NotComparable, check=has_code("validation.no_places")):
         distances_along_normal(
             wall(1), wall(2), np.zeros((0, 3)), facing=TO_VESSEL, normal_scale=0.5, diameter=0.3,
             depth=0.3,
         )  # fmt: skip
-    assert str(refused.value) == "There is no place to measure a distance at."

@@ -47,7 +47,7 @@ def test_the_terminal_compares_and_keeps_it(
     expected = read_project(copy.folder).target("T1").expected
     assert expected == ExpectedTarget(1.23, 1.22, radians(45))
     assert main([*place, "--expected", "0", "1.22", "45"]) == 1
-    assert "lengths above zero" in capsys.readouterr().err
+    assert "width and height must be above zero" in capsys.readouterr().err
     assert main([*place, "--shape", "sphere", "--expected", "1", "1", "45"]) != 0
     assert "--expected is for planes" in capsys.readouterr().err
 

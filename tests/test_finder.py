@@ -20,6 +20,7 @@ from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings, find_plane
+from tests.error_codes import has_code
 
 SETTINGS = FinderSettings()
 CENTRE = np.array([0.0, 20.0, 4.0])
@@ -134,20 +135,35 @@ def test_only_planes_near_the_expected_normal_are_taken():
 
 
 @pytest.mark.parametrize(
-    ("points", "seed", "words"),
+    ("points", "seed", "code", "params"),
     [
-        (np.zeros((0, 3)), CENTRE, "No points lie within 2 m"),
-        (np.zeros((500, 3)), CENTRE, r"the nearest is 20\.40 m away"),
-        (np.full((500, 3), np.nan), CENTRE, "No points"),
-        (np.eye(3)[:2] + CENTRE, CENTRE, "Only 2 points"),
-        (CENTRE + np.random.default_rng(0).uniform(-1, 1, (400, 3)), CENTRE, "has only"),
-        (CENTRE + np.outer(np.linspace(-1, 1, 300), [1, 2, 3]) / 4, CENTRE, "No plane"),
-        (np.zeros((500, 3)), np.array([np.nan, 0, 0]), "three numbers"),
-        (np.zeros((500, 3)), np.zeros(2), "three numbers"),
+        (np.zeros((0, 3)), CENTRE, "finder.line_without_points", {"radius": 2.0}),
+        (
+            np.zeros((500, 3)),
+            CENTRE,
+            "finder.no_points",
+            {"distance": pytest.approx(20.4, abs=0.005)},
+        ),
+        (np.full((500, 3), np.nan), CENTRE, "finder.line_without_points", {}),
+        (np.eye(3)[:2] + CENTRE, CENTRE, "finder.few_points", {"count": 2}),
+        (
+            CENTRE + np.random.default_rng(0).uniform(-1, 1, (400, 3)),
+            CENTRE,
+            "finder.plane_few_points",
+            {},
+        ),
+        (
+            CENTRE + np.outer(np.linspace(-1, 1, 300), [1, 2, 3]) / 4,
+            CENTRE,
+            "finder.no_plane",
+            {},
+        ),
+        (np.zeros((500, 3)), np.array([np.nan, 0, 0]), "finder.seed", {}),
+        (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_a_plane_the_reason_is_said(points, seed, words):
-    with pytest.raises(PlaneNotFound, match=words):
+def test_without_a_plane_the_reason_is_said(points, seed, code, params):
+    with pytest.raises(PlaneNotFound, check=has_code(code, **params)):
         find_plane(points, seed, SETTINGS)
 
 
@@ -155,7 +171,7 @@ def test_without_a_plane_the_reason_is_said(points, seed, words):
     "wrong", [{"radius": 0}, {"threshold": np.nan}, {"stop": 1.0}, {"min_points": 2}]
 )
 def test_settings_that_cannot_work_are_refused(wrong):
-    with pytest.raises(InputError, match=next(iter(wrong))):
+    with pytest.raises(InputError, check=has_code("finder.setting", name=next(iter(wrong)))):
         FinderSettings(**wrong)
 
 
@@ -214,11 +230,11 @@ def test_a_line_without_the_target_says_so():
 
 def test_a_seed_in_empty_space_or_an_unknown_line_is_refused():
     clouds, _ = moved_lines(2)
-    with pytest.raises(PlaneNotFound, match="No line has a plane at the seed"):
+    with pytest.raises(PlaneNotFound, check=has_code("finder.no_plane_in_lines")):
         find_in_lines(clouds, CENTRE + [0, 0, 100], SETTINGS)
-    with pytest.raises(PlaneNotFound, match="No points lie within"):
+    with pytest.raises(PlaneNotFound, check=has_code("finder.no_points")):
         find_in_lines(clouds, CENTRE + [0, 0, 100], SETTINGS, first_line="L1")
-    with pytest.raises(PlaneNotFound, match="no line named L9"):
+    with pytest.raises(PlaneNotFound, check=has_code("finder.unknown_line", line="L9")):
         find_in_lines(clouds, CENTRE, SETTINGS, first_line="L9")
 
 

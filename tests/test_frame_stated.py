@@ -17,6 +17,7 @@ from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import create_project, new_project
+from tests.error_codes import has_code
 from tests.intake_files import LEVER, START, fan, named, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
@@ -50,7 +51,7 @@ def made(folder: Path, track: Path, line: Path, reading: Reading):
 
 def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
     line = on_map(tmp_path, SYSTEM)
-    told = "utm.las: half of the points lie farther than 5 km from the origin"
+    told = "utm.las: half of the points are more than 5,000 m from the origin"
     with pytest.raises(InputError, match=told):
         made(tmp_path / "p", track, line, options(frame="scanner"))
     intake = taken_in(taken_in(Intake(), track, line).with_option(line, "frame", "scanner"))
@@ -71,7 +72,7 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
 
 def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> None:
     monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 100)
-    with pytest.raises(InputError, match="not in the scanner frame"):
+    with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
         line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
     points = fan(3000)
     points[0] += [0, 2 * FARTHEST, 0]  # a stray at the very beginning is none
@@ -93,7 +94,7 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "0"]
     assert main(command) != 0
-    assert "name no coordinate system; give its EPSG code" in "".join(capsys.readouterr())
+    assert "name no coordinate system. Give its EPSG code" in "".join(capsys.readouterr())
     assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
     assert "names no coordinate system" not in "".join(capsys.readouterr())
     intake = taken_in(Intake(), track, line)

@@ -33,6 +33,7 @@ from lispac.workflow.line_points import LinePoints, read_line
 from lispac.workflow.projects import create_project, open_project
 from lispac.workflow.reading import local_trajectory
 from lispac.workflow.survey import Survey, load_survey
+from tests.error_codes import has_code
 from tests.store_lines import stop_at
 
 
@@ -127,7 +128,7 @@ def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
     wanted = georeference(scan.points_lidar, scan.time, survey.trajectory, mounting)
     found = Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time)
     np.testing.assert_array_equal(found, wanted)
-    with pytest.raises(InputError, match="outside the trajectory"):
+    with pytest.raises(InputError, check=has_code("survey.outside_trajectory")):
         Georeferencer.of(survey.trajectory, mounting)(scan.points_lidar, scan.time + 1e6)
 
 

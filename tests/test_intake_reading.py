@@ -135,7 +135,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     wrong = taken_in(intake.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in said(wrong, "bare.laz")
     nonsense = taken_in(intake.with_option(bare, "crs", "EPSG:1"))
-    assert "not a coordinate system known to PROJ" in said(nonsense, "bare.laz")
+    assert "PROJ does not know this coordinate system" in said(nonsense, "bare.laz")
     right = taken_in(wrong.with_option(bare, "crs", "32618"))
     assert right.files_problem() == ""
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))

@@ -20,6 +20,7 @@ from lispac.io.registry import PointChunk
 from lispac.messages import error
 from lispac.survey.georeferencing import Mounting
 from tests import point_files as files
+from tests.error_codes import has_code
 
 LAS = format_of("las")
 
@@ -146,7 +147,7 @@ def test_times_of_a_line_on_the_map(
     found = line_times.line_times(path, LAS, {"frame": "georeferenced"})
     assert (found.start, found.end, found.count) == (400_000, 400_100, 60)
     assert found.whole == (most > 60)
-    with pytest.raises(InputError, match="not in the scanner frame"):
+    with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
         line_times.line_times(path, LAS, {"frame": "scanner"})
 
 

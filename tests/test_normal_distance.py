@@ -11,6 +11,7 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.io.values import decoded, encoded
 from lispac.validation.normal_distance import FEWEST, NormalDistances, distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
+from tests.error_codes import has_code
 
 Array = NDArray[np.float64]
 
@@ -88,7 +89,9 @@ def test_places_without_points_have_no_distance_and_are_counted() -> None:
     beyond = np.count_nonzero(ref[::20, 0] > 0.25)
     assert found.no_distance >= beyond
     assert len(found.distance) == len(ref[::20]) - found.no_distance
-    with pytest.raises(NotComparable, match=f"No place has {FEWEST} points of both"):
+    with pytest.raises(
+        NotComparable, check=has_code("validation.cylinder_too_narrow", needed=FEWEST)
+    ):
         measured(half + [0.0, 5.0, 0.0], ref, ref[::20])
 
 
@@ -101,10 +104,17 @@ def test_points_without_noise_are_sure() -> None:
     assert found.significant == 1.0
 
 
-@pytest.mark.parametrize("name", ["normal_scale", "diameter", "depth"])
-def test_refuses_a_size_that_is_none(name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "code"),
+    [
+        ("normal_scale", "validation.normal_scale"),
+        ("diameter", "validation.cylinder_diameter"),
+        ("depth", "validation.cylinder_depth"),
+    ],
+)
+def test_refuses_a_size_that_is_none(name: str, code: str) -> None:
     cloud = wall(np.random.default_rng(0), 50)
-    with pytest.raises(InputError, match="must be positive"):
+    with pytest.raises(InputError, check=has_code(code, value=0.0)):
         measured(cloud, cloud, cloud, **{name: 0.0})
 
 
@@ -151,10 +161,10 @@ def test_lines_far_apart_do_not_tilt_the_frame() -> None:
 
 def test_too_few_points_make_no_plane() -> None:
     cloud = wall(np.random.default_rng(0), 50)
-    with pytest.raises(NotComparable, match="at least four points"):
+    with pytest.raises(NotComparable, check=has_code("validation.plane_few_points")):
         plane_offset(cloud[:3], cloud, EAST)
     row = np.column_stack((np.zeros(20), np.full(20, 15.0), np.linspace(0, 1, 20)))
-    with pytest.raises(NotComparable, match="in one row"):
+    with pytest.raises(NotComparable, check=has_code("validation.points_in_row")):
         plane_offset(row, cloud, EAST)
 
 

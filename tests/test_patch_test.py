@@ -28,6 +28,7 @@ from lispac.workflow.patch_test import Laid, find, find_angle, lay, line_pairs, 
 from lispac.workflow.projects import create_project, open_project
 from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
 from lispac.workflow.survey import Survey, load_survey
+from tests.error_codes import has_code
 from tests.test_cli import answer
 from tests.test_reference_surveys import angles, make
 
@@ -258,7 +259,7 @@ def test_a_curve_has_a_minimum_where_it_dips_and_none_where_it_ripples() -> None
 
 def test_lines_that_do_not_meet_are_refused(thinned: Opened) -> None:
     nowhere = PatchObject("air", Box(np.array([0.0, 0.0, 100.0]), np.array([2.0, 2.0, 2.0])))
-    with pytest.raises(AdjustmentError, match="No two of the chosen lines meet"):
+    with pytest.raises(AdjustmentError, check=has_code("patch_test.no_pairs")):
         find(*thinned, lay(*thinned, [nowhere], truth(thinned[0])))
 
 
@@ -284,9 +285,9 @@ def test_a_box_turns_clockwise() -> None:
 
 
 def test_a_box_without_a_size_is_refused() -> None:
-    with pytest.raises(InputError, match="side of the box"):
+    with pytest.raises(InputError, check=has_code("patch_test.box_size", name="pole")):
         checked("pole", Box(np.zeros(3), np.array([1.0, 0.0, 1.0])))
-    with pytest.raises(InputError, match="not a number"):
+    with pytest.raises(InputError, check=has_code("patch_test.box_not_finite")):
         checked("pole", Box(np.array([np.nan, 0, 0]), np.ones(3)))
 
 
@@ -306,7 +307,7 @@ def test_the_command_line_says_the_same(
     assert main(["patchtest", str(folder), "--lines", "nobody"]) == 2
     assert "there is no line nobody" in capsys.readouterr().err
     assert main(["patchtest", str(folder), "--object", "pole=9,-17,15,1,1,0"]) == 1
-    assert "a side of the box" in capsys.readouterr().err
+    assert "pole: each side of the box" in capsys.readouterr().err
 
 
 def test_the_answer_is_kept_where_it_has_a_sigma(

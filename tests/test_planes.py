@@ -15,6 +15,7 @@ from lispac.geometry.planes import (
     plane_through,
     rms_distance,
 )
+from tests.error_codes import has_code
 
 NORMALS = [(0, -1, 0), (0, -1, 1), (0.3, 0.2, 1), (1, 0, 0), (0, 0, 1), (0, 0, -1), (-1, 2, -3)]
 
@@ -43,7 +44,7 @@ def test_a_strip_narrower_than_a_share_of_its_length_is_a_line(width, fits):
     if fits:
         np.testing.assert_allclose(fit_plane(strip).normal, [0, 0, 1], atol=1e-12)
         return
-    with pytest.raises(PlaneNotFound, match="straight line"):
+    with pytest.raises(PlaneNotFound, check=has_code("target.plane_on_line")):
         fit_plane(strip)
 
 
@@ -64,16 +65,16 @@ def test_fit_is_least_squares_and_weights_count():
 
 
 @pytest.mark.parametrize(
-    ("points", "words"),
+    ("points", "code"),
     [
-        (np.zeros((2, 3)), "at least three"),
-        (np.outer(np.arange(9.0), [1, 2, 3]), "straight line"),
-        (np.zeros((5, 3)), "straight line"),
-        (np.full((5, 3), np.nan), "missing coordinates"),
+        (np.zeros((2, 3)), "target.plane_few_points"),
+        (np.outer(np.arange(9.0), [1, 2, 3]), "target.plane_on_line"),
+        (np.zeros((5, 3)), "target.plane_on_line"),
+        (np.full((5, 3), np.nan), "target.plane_not_finite"),
     ],
 )
-def test_fit_refuses_what_determines_no_plane(points, words):
-    with pytest.raises(PlaneNotFound, match=words):
+def test_fit_refuses_what_determines_no_plane(points, code):
+    with pytest.raises(PlaneNotFound, check=has_code(code)):
         fit_plane(points)
 
 

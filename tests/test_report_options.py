@@ -105,7 +105,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
         ("page = 'a5'", "There is no page a5; choose one of a4, letter"),
         ("page = 4", "page must be a text in quotation marks"),
         ("language = 'de'", "There is no translation into 'de'; choose one of en, fr"),
-        ("convention = 'lidarsoft'", "There is no system named lidarsoft"),
+        ("convention = 'lidarsoft'", "lidarsoft: there is no convention of this name"),
         ("company = Fleuve", "this report template is no TOML file"),
         ("logo = 'none.png'", r"none\.png: there is no such logo file"),
         ("logo = 'own.toml'", "a logo is a PNG or SVG picture; this file is neither"),
@@ -345,7 +345,7 @@ def test_the_command_takes_page_convention_and_template(
         main(words("r.html", "--page", "a5"))
     capsys.readouterr()
     assert main(words("none.json", "--convention", "lidarsoft")) == 1
-    assert "There is no system named lidarsoft" in capsys.readouterr().err
+    assert "lidarsoft: there is no convention of this name" in capsys.readouterr().err
     assert not (tmp_path / "none.json").exists()
     assert main(words("r.json", "--convention", "applanix")) == 0
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))

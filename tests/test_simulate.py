@@ -237,7 +237,7 @@ def test_what_cannot_be_replayed_is_refused(
     _, start = recorded(tmp_path, capsys)
     scene = tmp_path / "wall.toml"
     for text, said in (
-        (REPLAYED.format(scanner="profiler", start=10, stop=20), "give start_s and stop_s inside"),
+        (REPLAYED.format(scanner="profiler", start=10, stop=20), "Give start_s and stop_s within"),
         (
             REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("46.8", "40"),
             "km from",
@@ -279,7 +279,7 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         capsys, "simulate", "marine", "--vessel", hurried, "--latency", -5, "--output",
         tmp_path / "a", "--points-per-second", 5_000,
     )  # fmt: skip
-    assert "lead out of the trajectory" in said
+    assert "extend beyond the trajectory" in said
     full = tmp_path / "full"
     full.mkdir()
     (full / "thesis.doc").write_text("mine")

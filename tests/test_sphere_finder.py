@@ -11,6 +11,7 @@ from lispac.targets.finder import FinderSettings
 from lispac.targets.sphere_finder import RadiusSought, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 from tests.balls import BALL, CENTRE, cast, front
+from tests.error_codes import has_code
 
 SETTINGS = FinderSettings()
 ANY = RadiusSought()
@@ -142,7 +143,10 @@ def test_a_shallow_dish_is_too_little_of_a_ball():
     points, _ = cast(rng, [ball], mixed=0.0)
     seed = front(ball)
     dish = points[ball.directions(points) @ ball.directions(seed[None])[0] > np.cos(np.radians(20))]
-    with pytest.raises(SphereNotFound, match="show 3 % of a sphere's surface"):
+    with pytest.raises(
+        SphereNotFound,
+        check=has_code("finder.sphere_small_part", share=pytest.approx(0.03, abs=0.005)),
+    ):
         find_sphere(dish, seed, ANY, SETTINGS)
 
 
@@ -150,7 +154,7 @@ def test_an_uneven_plate_within_a_wide_threshold_is_said_to_be_flat():
     rng = np.random.default_rng(11)
     points = plate(rng)
     points += rng.normal(0.0, 0.01, (len(points), 1)) * np.array([0.0, 1.0, 0.0])
-    with pytest.raises(SphereNotFound, match="flat rather than a ball"):
+    with pytest.raises(SphereNotFound, check=has_code("finder.sphere_flat")):
         find_sphere(points, CENTRE, RadiusSought.exactly(0.1), FinderSettings(threshold=0.03))
 
 
@@ -164,26 +168,31 @@ def test_a_small_ball_before_a_large_one_is_found_where_it_was_clicked():
 
 
 @pytest.mark.parametrize(
-    ("points", "seed", "words"),
+    ("points", "seed", "code", "params"),
     [
-        (np.zeros((0, 3)), CENTRE, "No points lie within 2 m"),
-        (np.zeros((500, 3)), CENTRE, r"the nearest is 20\.40 m away"),
-        (np.full((500, 3), np.nan), CENTRE, "No points"),
-        (np.eye(3)[:2] + CENTRE, CENTRE, "Only 2 points"),
-        (np.zeros((500, 3)), np.zeros(2), "three numbers"),
+        (np.zeros((0, 3)), CENTRE, "finder.line_without_points", {"radius": 2.0}),
+        (
+            np.zeros((500, 3)),
+            CENTRE,
+            "finder.no_points",
+            {"distance": pytest.approx(20.4, abs=0.005)},
+        ),
+        (np.full((500, 3), np.nan), CENTRE, "finder.line_without_points", {}),
+        (np.eye(3)[:2] + CENTRE, CENTRE, "finder.few_points", {"count": 2}),
+        (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_points_the_reason_is_said(points, seed, words):
-    with pytest.raises(SphereNotFound, match=words):
+def test_without_points_the_reason_is_said(points, seed, code, params):
+    with pytest.raises(SphereNotFound, check=has_code(code, **params)):
         find_sphere(points, seed, ANY, SETTINGS)
 
 
 @pytest.mark.parametrize(
     ("aside", "sought", "words"),
     [
-        (0.9, RadiusSought.exactly(0.1), "set the seed on the ball"),
-        (0.0, RadiusSought(0.3, 0.5), "a radius from 0.3 to 0.5 m"),
-        (0.0, RadiusSought.exactly(0.14), "radius 0.14 m"),
+        (0.9, RadiusSought.exactly(0.1), "Set the seed on the sphere"),
+        (0.0, RadiusSought(0.3, 0.5), r"sphere with a radius from 0\.300 to 0\.500 m"),
+        (0.0, RadiusSought.exactly(0.14), r"sphere of radius 0\.140 m"),
     ],
 )
 def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, words):
@@ -194,7 +203,7 @@ def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, words):
 
 @pytest.mark.parametrize("span", [(0.0, 0.1), (0.2, 0.1), (0.1, np.nan), (0.1, np.inf)])
 def test_radii_that_cannot_be_are_refused(span):
-    with pytest.raises(InputError, match="cannot be sought"):
+    with pytest.raises(InputError, check=has_code("finder.radii")):
         RadiusSought(*span)
 
 
@@ -253,15 +262,15 @@ def test_a_line_without_the_ball_says_so():
 def test_a_seed_in_empty_space_or_an_unknown_line_is_refused():
     clouds, _, _ = moved_lines([BALL], 2)
     up = CENTRE + [0, 0, 100]
-    with pytest.raises(SphereNotFound, match="No line has a sphere at the seed"):
+    with pytest.raises(SphereNotFound, check=has_code("finder.no_sphere_in_lines")):
         find_spheres_in_lines(clouds, up, ANY, SETTINGS)
-    with pytest.raises(SphereNotFound, match="No points lie within"):
+    with pytest.raises(SphereNotFound, check=has_code("finder.no_points")):
         find_spheres_in_lines(clouds, up, ANY, SETTINGS, first_line="L1")
-    with pytest.raises(SphereNotFound, match="no line named L9"):
+    with pytest.raises(SphereNotFound, check=has_code("finder.unknown_line", line="L9")):
         find_spheres_in_lines(clouds, CENTRE, ANY, SETTINGS, first_line="L9")
-    with pytest.raises(SphereNotFound, match="no line to seek a sphere in"):
+    with pytest.raises(SphereNotFound, check=has_code("finder.no_line_for_sphere")):
         find_spheres_in_lines({}, CENTRE, ANY, SETTINGS)
-    with pytest.raises(SphereNotFound, match="three numbers"):
+    with pytest.raises(SphereNotFound, check=has_code("finder.seed")):
         find_spheres_in_lines(clouds, np.zeros(2), ANY, SETTINGS)
 
 

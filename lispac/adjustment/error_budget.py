@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.sensitivity import Sensitivity, sensitivity
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey.georeferencing import CALIBRATION, Mounting, place, to_lidar
 from lispac.survey.trajectory import Poses
 
@@ -130,7 +131,7 @@ def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -
         No distance, or one that is not positive.
     """
     if not distances or not all(0.0 < each < np.inf for each in distances):
-        raise InputError("Give the distances of the error budget in metres, each larger than 0.")
+        raise InputError(error("adjustment.budget_distances"))
     chosen = tuple(sorted(set(map(float, distances))))
     beams = tuple(_beam(name, np.array(way), system, chosen) for name, way in BEAMS.items())
     return ErrorBudget(chosen, beams, tuple(_words(system)))

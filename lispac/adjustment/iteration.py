@@ -10,6 +10,7 @@ from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.sums import State
 from lispac.errors import NotConverged, RankDeficient
+from lispac.messages import error
 from lispac.progress import Progress
 
 Array = NDArray[np.float64]
@@ -125,9 +126,12 @@ def iterate(
                 return Solution(linearised, state, np.array(path))
         last = change
     raise NotConverged(
-        f"The adjustment did not settle in {MAX_ITERATIONS} iterations (last change "
-        f"{np.degrees(change[0]):.1e} deg of the angles, {change[1]:.1e} m of the rest); check "
-        "that each target is the same surface on every line, and the prior boresight."
+        error(
+            "adjustment.not_converged",
+            iterations=MAX_ITERATIONS,
+            angles=float(change[0]),
+            rest=float(change[1]),
+        )
     )
 
 

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.banded import backward, factor_of, forward
 from lispac.adjustment.sums import Groups
 from lispac.errors import RankDeficient
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -212,11 +213,8 @@ class Normal:
         scale = 1 / np.sqrt(np.maximum(np.diag(rest), np.finfo(float).tiny))
         try:
             factor = scipy.linalg.cho_factor(rest * np.outer(scale, scale))
-        except np.linalg.LinAlgError as error:
-            raise RankDeficient(
-                "A target's shape is not determined by its points; pick points that spread over "
-                "it in two directions."
-            ) from error
+        except np.linalg.LinAlgError as reason:
+            raise RankDeficient(error("adjustment.shape_undetermined")) from reason
         solved = scipy.linalg.cho_solve(factor, (mixed * scale).T)
         information = reduced[:count, :count] - (mixed * scale) @ solved
         return np.asarray((information + information.T) / 2)
@@ -254,9 +252,7 @@ def inverse(matrix: Array) -> Array:
         with suppress(np.linalg.LinAlgError):
             factor = scipy.linalg.cho_factor(matrix * np.outer(scale, scale))
     if factor is None:
-        raise RankDeficient(
-            "These points do not determine boresight and targets; add targets or lines."
-        )
+        raise RankDeficient(error("adjustment.singular"))
     solved = scipy.linalg.cho_solve(factor, np.diag(scale))
     return np.asarray(solved * scale[:, None])
 

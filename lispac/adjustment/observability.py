@@ -11,6 +11,7 @@ from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES, Observability, Unchecked
 from lispac.adjustment.scatter import sigmas_without
 from lispac.errors import RankDeficient
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import CALIBRATION
 
@@ -38,6 +39,14 @@ NAMES = {
     "range_offset": "the range offset", "scan_angle_offset": "the scan-angle offset",
     "latency": "the latency", "roll": "roll", "pitch": "pitch", "yaw": "yaw",
 }  # fmt: skip
+
+
+ANGLE_CODES = {
+    "roll": "adjustment.angle_roll",
+    "pitch": "adjustment.angle_pitch",
+    "yaw": "adjustment.angle_yaw",
+}
+"""Code of each angle's name as part of a message."""
 
 
 def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
@@ -100,32 +109,40 @@ def require_determined(linearised: Linearised) -> None:
         With the reason: one line, parallel lines, one target, parallel normals.
     """
     problem = linearised.problem
-    lines, targets = problem.observations.lines, problem.observations.targets
+    lines = problem.observations.lines
     if len(lines) < 2 and _one_course(linearised):
-        raise RankDeficient(
-            f"All sightings are on line {lines[0]}: a surface seen once fits any boresight. Add "
-            "lines in other directions over the same targets."
-        )
+        raise RankDeficient(error("adjustment.one_line", line=lines[0]))
     information = _with_shared_errors(linearised).normal.information(3)
     eigenvalues, directions = np.linalg.eigh(information)
     if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
         return
-    reasons = []
-    if _parallel_lines(linearised):
-        reasons.append("all lines run parallel")
-    if len(targets) == 1:
-        reasons.append(f"{targets[0]} is the only target")
-    elif _one_facing(linearised):
-        reasons.append("all targets face the same way")
-    because = f": {' and '.join(reasons)}" if reasons else ""
-    # A sphere has no inclination that another could differ from.
+    # A sphere has no orientation that another could differ from.
     spheres = bool(problem.observations.is_sphere.all())
-    another = "another target" if spheres else "a target of another inclination"
+    action = note("adjustment.add_target" if spheres else "adjustment.add_orientation")
+    direction, reason = _weak_direction(directions[:, 0]), _reason_undetermined(linearised)
+    if reason is None:
+        raise RankDeficient(error("adjustment.undetermined", direction=direction, action=action))
     raise RankDeficient(
-        f"These lines and targets do not determine the boresight, mainly not "
-        f"{_mixture(directions[:, 0])}{because}. Add {another}, or lines in other directions: a "
-        "vertical target shows roll on lines along it, pitch and yaw on lines at 45 deg to it."
+        error("adjustment.undetermined_because", direction=direction, reason=reason, action=action)
     )
+
+
+def _reason_undetermined(linearised: Linearised) -> Message | None:
+    """Why the geometry leaves an angle open; None where no simple reason holds."""
+    targets = linearised.problem.observations.targets
+    parallel = _parallel_lines(linearised)
+    if len(targets) == 1:
+        return note(
+            "adjustment.parallel_lines_one_target" if parallel else "adjustment.one_target",
+            target=targets[0],
+        )
+    if _one_facing(linearised):
+        return note(
+            "adjustment.parallel_lines_one_orientation"
+            if parallel
+            else "adjustment.one_orientation"
+        )
+    return note("adjustment.parallel_lines") if parallel else None
 
 
 def _with_shared_errors(linearised: Linearised) -> Linearised:
@@ -153,15 +170,10 @@ def require_two_facings(linearised: Linearised) -> None:
     if not _one_facing(linearised):
         return
     targets = linearised.problem.observations.targets
-    which = (
-        f"{targets[0]} is the only target, a plane"
-        if len(targets) == 1
-        else "All targets are planes that face the same way"
-    )
     raise RankDeficient(
-        f"{which}: only the headings of the lines would tell the angles apart. Add a target of "
-        'another inclination, or a sphere; where there is none, tick "Accept targets that all '
-        'face one way" under Advanced (--accept-one-facing at the command line).'
+        error("adjustment.only_plane", target=targets[0])
+        if len(targets) == 1
+        else error("adjustment.parallel_planes")
     )
 
 
@@ -310,11 +322,25 @@ def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
 
+def _weak_direction(direction: Array) -> Message:
+    """A direction in angle space as part of a message: its angles, the largest first."""
+    first, *rest = (note(ANGLE_CODES[name]) for name in _angles_of(direction))
+    if not rest:
+        return first
+    if len(rest) == 1:
+        return note("adjustment.angle_with_one", first=first, second=rest[0])
+    return note("adjustment.angle_with_two", first=first, second=rest[0], third=rest[1])
+
+
+def _angles_of(direction: Array) -> list[str]:
+    """Names of the angles that have a part in a direction, the largest first."""
+    share = direction**2
+    return [ANGLES[k] for k in np.argsort(-share) if share[k] > 0.15]
+
+
 def _mixture(direction: Array) -> str:
     """A direction in angle space in words: its largest part, and what else has a say."""
-    share = direction**2
-    order = np.argsort(-share)
-    names = [ANGLES[k] for k in order if share[k] > 0.15]
+    names = _angles_of(direction)
     return names[0] if len(names) == 1 else f"{names[0]} together with {' and '.join(names[1:])}"
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.turns import turns_of
 from lispac.errors import AdjustmentError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -180,30 +181,34 @@ class Observations:
         AdjustmentError
         """
         if not self.sightings:
-            raise AdjustmentError("There is no target to adjust; pick planar targets first.")
+            raise AdjustmentError(error("adjustment.no_targets"))
         for sighting, count in zip(self.sightings, self.counts, strict=True):
             if count < 3:
                 raise AdjustmentError(
-                    f"Target {sighting.target} has only {count} points on line {sighting.line}; "
-                    "a plane needs at least three: pick it again or leave that line out."
+                    error(
+                        "adjustment.few_points",
+                        target=sighting.target,
+                        line=sighting.line,
+                        count=count,
+                    )
                 )
-        for name, values in (
-            ("point", self.points_lidar),
-            ("position", self.position),
-            ("attitude", self.attitude),
-            ("time", self.time),
+        for code, values in (
+            ("adjustment.point_not_finite", self.points_lidar),
+            ("adjustment.position_not_finite", self.position),
+            ("adjustment.attitude_not_finite", self.attitude),
+            ("adjustment.time_not_finite", self.time),
         ):
             if not np.isfinite(values).all():
-                raise AdjustmentError(f"A {name} is not a number; leave that point out.")
+                raise AdjustmentError(error(code))
         x, y, z = self.points_lidar.T
         if not ((x != 0) | (y != 0) | (z != 0)).all():
-            raise AdjustmentError("A point lies in the scanner itself; leave it out.")
-        for name, sigma in (
-            ("LiDAR", self.sigma_lidar),
-            ("position", self.sigma_position),
-            ("attitude", self.sigma_attitude),
+            raise AdjustmentError(error("adjustment.point_in_scanner"))
+        for code, sigma in (
+            ("adjustment.sigma_lidar", self.sigma_lidar),
+            ("adjustment.sigma_position", self.sigma_position),
+            ("adjustment.sigma_attitude", self.sigma_attitude),
         ):
             if not (np.isfinite(sigma).all() and (sigma >= 0).all()):
-                raise AdjustmentError(f"A {name} sigma is negative or not a number; correct it.")
+                raise AdjustmentError(error(code))
         if not (self.sigma_lidar > 0).all():
-            raise AdjustmentError("The LiDAR sigma must be larger than zero; correct it.")
+            raise AdjustmentError(error("adjustment.sigma_lidar_zero"))

@@ -23,6 +23,7 @@ from lispac.adjustment.shapes import (
 from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
 from lispac.adjustment.sums import Groups, State, Weights, grouped, residuals, sum_by_group
 from lispac.errors import TargetDisagrees
+from lispac.messages import error
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -267,11 +268,7 @@ class Problem:
         without = np.flatnonzero(whole[:, 3, 3] <= 0)
         if len(without):
             name = observations.targets[without[0]]
-            raise TargetDisagrees(
-                f"No point of target {name} agrees with the other targets and lines; pick the "
-                "target again, or leave it out.",
-                name,
-            )
+            raise TargetDisagrees(error("adjustment.target_disagrees", target=name), name)
         planes = plane_tangents(state.shapes[:, :3], centres_and_extents(whole)[0])
         shapes = [
             sphere_tangent(known_radius=observations.radii[target] is not None)

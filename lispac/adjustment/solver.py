@@ -19,7 +19,7 @@ from lispac.adjustment.observations import Observations
 from lispac.adjustment.omitted import contradictions
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.problem import RELEASED, Linearised, Problem
-from lispac.adjustment.result import AdjustmentResult, Component
+from lispac.adjustment.result import AdjustmentResult, Component, Contradiction
 from lispac.adjustment.shapes import (
     about,
     counted_from,
@@ -28,12 +28,12 @@ from lispac.adjustment.shapes import (
     shapes_of_most,
     usual_radii,
 )
-from lispac.adjustment.shown import amount, parameter, plain
 from lispac.adjustment.sphere_radii import radius_discrepancies
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -52,6 +52,13 @@ SHORTER_TIMES = (0.3, 0.1, 0.03)
 
 REJECTION_LEVEL = 1e-4
 """Probability that correlation times are shortened though the stated ones are right."""
+
+CONTRADICTED = {
+    "range_offset": "adjustment.contradicts_range_offset",
+    "scan_angle_offset": "adjustment.contradicts_scan_angle_offset",
+    "latency": "adjustment.contradicts_latency",
+}
+"""Code of the message that the data contradict a given value."""
 
 MOST_RELEASED = 3
 """No more than one sighting in so many is let go of."""
@@ -181,11 +188,8 @@ def _adjust(
                             radius_discrepancies=radii,
                         )
             return found
-    except np.linalg.LinAlgError as error:
-        raise NotConverged(
-            "The adjustment ran away from any answer; check that each target is the same surface "
-            "on every line, and the prior boresight."
-        ) from error
+    except np.linalg.LinAlgError as reason:
+        raise NotConverged(error("adjustment.diverged")) from reason
 
 
 def _is_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
@@ -307,17 +311,19 @@ def _require_determined_still(linearised: Linearised) -> None:
     """
     try:
         require_determined(linearised)
-    except RankDeficient as error:
+    except RankDeficient as reason:
         wrong = contradictions(linearised, least=0.0) if linearised.problem.layout.surfaces else ()
         if not wrong:
             raise
-        worst = wrong[0]
-        larger = "larger" if worst.change > 0 else "smaller"
-        raise RankDeficient(
-            f"The data contradict the stated {parameter(worst.name)}: they want it "
-            f"{plain(amount(worst.name, abs(worst.change)))} {larger}, and with the stated one "
-            "they do not determine the boresight. Measure it again, or have it estimated."
-        ) from error
+        raise RankDeficient(_contradicted(wrong[0])) from reason
+
+
+def _contradicted(wrong: Contradiction) -> Message:
+    """The message that the data contradict a given value of the mounting."""
+    if wrong.name.startswith("lever_"):
+        axis = wrong.name.removeprefix("lever_").upper()
+        return error("adjustment.contradicts_lever_arm", axis=axis, change=wrong.change)
+    return error(CONTRADICTED[wrong.name], change=wrong.change)
 
 
 def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:

@@ -14,6 +14,7 @@ from lispac.design.prediction import UNDETERMINED, predict
 from lispac.design.search import Mapper
 from lispac.design.simulated_plan import simulated
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
@@ -181,10 +182,7 @@ def surveyed(
         Where fewer than ``enough`` are done.
     """
     if flatness_known and any(target.flatness is not None for target in plan.targets):
-        raise LispacError(
-            "The adjustment can be told one flatness for all targets, and this plan states some of "
-            "their own: let it be taken from the data."
-        )
+        raise LispacError(error("design.own_flatness"))
     prediction = predict(plan)
     if not prediction.determined:
         raise RankDeficient(UNDETERMINED)
@@ -200,7 +198,7 @@ def surveyed(
     table = np.array(found)
     table = table[np.isfinite(table).all(axis=(1, 2))]
     if not len(table):
-        raise LispacError("None of the simulated surveys could be adjusted; add lines or targets.")
+        raise LispacError(error("design.none_adjusted"))
     return Scatter(
         table[:, 0], table[:, 1], prediction.sigma, prediction.correlation, len(found) - len(table)
     )

@@ -18,6 +18,7 @@ from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
+from lispac.messages import error
 from lispac.simulation.closed_form import STEEPEST, Ball, Board, Course, abeam
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
@@ -35,11 +36,8 @@ FEWEST = 20
 """Points below which a sighting is too few to be picked."""
 
 
-UNDETERMINED = "This plan does not determine the boresight; add lines in other directions."
-UNSEEN = (
-    "No line sees a target: they look away from it, see it too obliquely or are too far off. Let "
-    "lines pass on the side the targets face, within the scanner's range."
-)
+UNDETERMINED = error("design.undetermined")
+UNSEEN = error("design.no_sightings")
 
 
 @dataclass(frozen=True, eq=False)

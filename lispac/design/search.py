@@ -19,6 +19,7 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.site import Site
 from lispac.errors import RankDeficient
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
@@ -133,12 +134,7 @@ def search(
     plan = space.plan(chosen)
     prediction = predict(plan)
     if not prediction.determined or space.value(chosen) >= NO_PLAN:
-        raise RankDeficient(
-            "No plan within these limits determines the boresight. Boards over each other, lines "
-            "nearer to the wall than allowed and targets that all face one way, which the "
-            "adjustment refuses, are left out: allow more lines, other headings, or two boards "
-            "of different inclinations."
-        )
+        raise RankDeficient(error("design.no_plan"))
     progress(0.95, "Weighing what each board and line is worth")
     return Design(
         plan,

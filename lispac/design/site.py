@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.design.plan import BEYOND, Line, Plan, System
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.simulation.closed_form import Ball, Board
 
 Array = NDArray[np.float64]
@@ -140,25 +141,26 @@ class Site:
 
     def __post_init__(self) -> None:
         if self.boards < 0 or self.lines < 2 or self.boards + len(self.natural) < 1:
-            raise InputError(
-                "A site needs at least two lines, and a board or a plane that is there anyway; "
-                "raise the limits."
-            )
+            raise InputError(error("design.site_too_small"))
         if self.boards and not (
             self.along and self.heights and self.inclinations_deg and self.sizes
         ):
-            raise InputError("Say where boards may hang, how inclined and how large.")
+            raise InputError(error("design.no_board_places"))
         needed = self.lines * self.minutes_per_line + self.boards * self.minutes_per_board
         if needed > self.time_on_site:
             raise InputError(
-                f"{self.lines} lines of {self.minutes_per_line:g} minutes and {self.boards} boards "
-                f"of {self.minutes_per_board:g} take {needed:g} minutes, longer than the "
-                f"{self.time_on_site:g} minutes on site; allow fewer, or more time."
+                error(
+                    "design.too_long",
+                    lines=self.lines,
+                    minutes_per_line=self.minutes_per_line,
+                    boards=self.boards,
+                    minutes_per_board=self.minutes_per_board,
+                    needed=needed,
+                    available=self.time_on_site,
+                )
             )
         if not self.lines_allowed:
-            raise InputError(
-                f"No heading and distance keep {self.closest:g} m from the wall; allow others."
-            )
+            raise InputError(error("design.lines_too_close", closest=self.closest))
 
     @property
     def wall(self) -> Wall:
@@ -239,10 +241,7 @@ def steps(low: float, high: float, step: float) -> tuple[float, ...]:
         The step is not positive, or the highest is below the lowest.
     """
     if not step > 0 or high < low:
-        raise InputError(
-            f"From {low:g} to {high:g} in steps of {step:g}: the step must be positive, and the "
-            "second value not less than the first."
-        )
+        raise InputError(error("design.steps", low=low, high=high, step=step))
     count = int(np.floor((high - low) / step + 1e-9))
     values = [low + k * step for k in range(count + 1)]
     if high - values[-1] > 1e-9 * max(abs(high), 1.0):

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -49,5 +50,5 @@ def angle(first: Array, corner: Array, second: Array) -> float:
     """
     one, other = np.subtract(first, corner), np.subtract(second, corner)
     if not (one.any() and other.any()):
-        raise InputError("Two of the points are the same; an angle needs three.")
+        raise InputError(error("target.angle_same_points"))
     return float(np.arctan2(np.linalg.norm(np.cross(one, other)), one @ other))

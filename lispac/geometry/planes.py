@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -80,7 +81,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
         Fewer than three points, or all on one straight line.
     """
     if len(points) < 3:
-        raise PlaneNotFound(f"A plane needs at least three points, here there are {len(points)}.")
+        raise PlaneNotFound(error("target.plane_few_points", count=len(points)))
     # Centring first: at UTM northings the products would lose the millimetres.
     if weights is None:
         centre = points.mean(axis=0)
@@ -91,10 +92,10 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
         centred = points - centre
         scatter = (centred * weights[:, None]).T @ centred
     if not np.all(np.isfinite(scatter)):
-        raise PlaneNotFound("A plane cannot be fitted to points with missing coordinates.")
+        raise PlaneNotFound(error("target.plane_not_finite"))
     spread, axes = np.linalg.eigh(scatter)
     if spread[1] <= spread[2] * LINE_SHARE**2:
-        raise PlaneNotFound("The points lie on one straight line and do not determine a plane.")
+        raise PlaneNotFound(error("target.plane_on_line"))
     normal = axes[:, 0]
     normal = normal * np.sign(normal[np.argmax(np.abs(normal))])
     return plane_through(centre, normal)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import SphereNotFound
 from lispac.geometry.planes import LINE_SHARE
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -89,21 +90,21 @@ def fit_sphere(
         radius, or, with a known radius, the side the centre is on.
     """
     if radius is not None and not (np.isfinite(radius) and radius > 0.0):
-        raise SphereNotFound(f"A sphere cannot have a radius of {radius} m.")
+        raise SphereNotFound(error("target.sphere_radius", radius=float(radius)))
     weights = np.ones(len(points)) if weights is None else weights
     used = weights > 0.0
     points, weights = points[used], weights[used]
     if len(points) < 4:
-        raise SphereNotFound(f"A sphere needs at least four points, here there are {len(points)}.")
+        raise SphereNotFound(error("target.sphere_few_points", count=len(points)))
     # Centring first: at UTM northings the squares would lose the millimetres.
     mean = weights @ points / weights.sum()
     local = points - mean
     if not np.all(np.isfinite(local)):
-        raise SphereNotFound("A sphere cannot be fitted to points with missing coordinates.")
+        raise SphereNotFound(error("target.sphere_not_finite"))
     weights = weights / weights.mean()
     spread, axes = np.linalg.eigh((local * weights[:, None]).T @ local / len(local))
     if spread[0] <= spread[2] * LINE_SHARE**2:
-        raise SphereNotFound("The points lie in one plane and do not determine a sphere.")
+        raise SphereNotFound(error("target.sphere_in_plane"))
     # In units of the cap's own size all tolerances are plain numbers.
     size = float(np.sqrt(spread.sum()))
     scaled = np.ascontiguousarray(local / size)
@@ -170,10 +171,7 @@ def _free(points: Array, weights: Array, start: Sphere) -> Sphere:
         variance = square / max(1, len(points) - 4) * float(np.linalg.inv(normal)[3, 3])
         flat = SIGNIFICANT * float(np.sqrt(variance)) > sphere.radius
     if flat:
-        raise SphereNotFound(
-            "The points show too little of a curve for their noise to tell the radius of a "
-            "sphere; give the radius, or take more of the surface."
-        )
+        raise SphereNotFound(error("target.sphere_little_curved"))
     return sphere
 
 
@@ -198,18 +196,12 @@ def _known(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
     settled.sort(key=lambda answer: answer[1])
     best, square, normal = settled[0]
     if np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points):
-        raise SphereNotFound(
-            "The points are too small a part of a sphere of this radius to tell where its centre "
-            "lies; take more of the surface."
-        )
+        raise SphereNotFound(error("target.sphere_small_part"))
     doubt = SIGNIFICANT**2 * square / max(1, len(points) - 3) + ROUNDING * len(points)
     for other, its_square, _ in settled[1:]:
         elsewhere = float(np.linalg.norm(other.centre - best.centre)) > 0.1 * best.radius
         if elsewhere and its_square - square <= doubt:
-            raise SphereNotFound(
-                "The points are too flat to tell on which side of them the centre of the "
-                "sphere lies; take more of the surface."
-            )
+            raise SphereNotFound(error("target.sphere_side"))
     return best
 
 

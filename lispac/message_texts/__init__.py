@@ -9,13 +9,33 @@ from collections.abc import Mapping
 from typing import Any
 
 from lispac.language import N_, Template, text_of
-from lispac.message_texts import importing, program, text_files, trajectories
+from lispac.message_texts import (
+    adjustment,
+    checking,
+    importing,
+    planning,
+    program,
+    survey,
+    targets,
+    text_files,
+    trajectories,
+)
 from lispac.messages import Action, Message, Value
 
 CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
 """Characters of Unicode's category Cc, with what replaces them."""
 
-TOPICS = (importing, program, text_files, trajectories)
+TOPICS = (
+    adjustment,
+    checking,
+    importing,
+    planning,
+    program,
+    survey,
+    targets,
+    text_files,
+    trajectories,
+)
 
 TEXTS: Mapping[str, Template] = {
     code: text for topic in TOPICS for code, text in topic.TEXTS.items()

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -73,9 +74,7 @@ def checked(name: str, box: Box) -> PatchObject:
         A side that is no length, or a centre that is no place.
     """
     if not (np.isfinite(box.centre).all() and np.isfinite(box.turn)):
-        raise InputError(f"{name}: the box's centre or turn is not a number; correct it.")
+        raise InputError(error("patch_test.box_not_finite", name=name))
     if not ((box.size >= SMALLEST) & (box.size <= LARGEST)).all():
-        raise InputError(
-            f"{name}: a side of the box is not between {SMALLEST:g} and {LARGEST:g} m; correct it."
-        )
+        raise InputError(error("patch_test.box_size", name=name, least=SMALLEST, most=LARGEST))
     return PatchObject(name, box)

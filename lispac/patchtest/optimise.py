@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import AdjustmentError
+from lispac.messages import error
 from lispac.patchtest.mismatch import SCALE, Block, Mismatch
 from lispac.patchtest.sample import Sample
 from lispac.patchtest.steps import equations
@@ -28,6 +29,8 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 
 ANGLES = ("roll", "pitch", "yaw")
+UNDETERMINED = ("patch_test.no_roll", "patch_test.no_pitch", "patch_test.no_yaw")
+"""Code of the message that an angle is not determined."""
 SCALES = (0.5, 0.2, SCALE)
 """Metres, from stage to stage."""
 STEPS, ROUNDS = 6, 12
@@ -155,14 +158,8 @@ def require_told(normal_equations: Array, weight: float, turned: Sequence[int]) 
     AdjustmentError
     """
     if weight <= 0:
-        raise AdjustmentError(
-            "No two of the chosen lines meet at any of the objects; tick objects that both lines "
-            "of a pair see."
-        )
+        raise AdjustmentError(error("patch_test.no_pairs"))
     values, axes = np.linalg.eigh(normal_equations / weight)
     if values[0] < LEVERAGE**2:
-        angle = ANGLES[turned[int(np.abs(axes[:, 0]).argmax())]]
-        raise AdjustmentError(
-            f"The ticked objects and pairs leave the {angle} open; add objects that face other "
-            "ways, or lines in other directions."
-        )
+        angle = turned[int(np.abs(axes[:, 0]).argmax())]
+        raise AdjustmentError(error(UNDETERMINED[angle]))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.simulation.port import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
 from lispac.simulation.pos_error_models import PosErrors
@@ -244,10 +245,7 @@ def _require_covered(motion: Motion, latency: float) -> None:
     first = min(start for start, _ in motion.recorded) + latency
     last = max(stop for _, stop in motion.recorded) + latency
     if first < motion.time[0] or last > motion.time[-1]:
-        raise InputError(
-            f"With a latency of {latency:g} s the lines lead out of the trajectory; give a smaller "
-            "one, or let the vessel wait longer (wait_s)."
-        )
+        raise InputError(error("simulation.latency", latency=latency))
 
 
 def _seeds(setup: Setup, names: tuple[str, ...], motion: Motion) -> dict[str, Array]:

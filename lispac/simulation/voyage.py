@@ -6,6 +6,7 @@ from typing import Protocol
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.simulation.vessel import Motion, Pass, sail
 from lispac.survey.trajectory import LocalTrajectory
 
@@ -151,7 +152,12 @@ class Replayed:
             inside = time[(time > ends[0]) & (time < ends[1])]
             if not self.trajectory.covers(np.concatenate([ends, inside])).all() or not len(inside):
                 raise InputError(
-                    f"Line {k + 1} is to be recorded from {ends[0]:.3f} to {ends[1]:.3f} s, where "
-                    f"the trajectory ({time[0]:.3f} to {time[-1]:.3f} s) has no states or a gap: "
-                    "give start_s and stop_s inside it, in its own time."
+                    error(
+                        "simulation.line_outside",
+                        number=k + 1,
+                        start=float(ends[0]),
+                        stop=float(ends[1]),
+                        first=float(time[0]),
+                        last=float(time[-1]),
+                    )
                 )

@@ -29,6 +29,7 @@ from lispac.geometry.frames import (
     ecef_to_geodetic,
     geodetic_to_ecef,
 )
+from lispac.messages import error
 from lispac.survey.blocks import in_blocks
 from lispac.survey.crs_operation import best_operation
 from lispac.survey.geoid import geoid_grid
@@ -193,10 +194,11 @@ class CoordinateSystem:
         outside = ~np.isfinite(np.stack(moved)).all(axis=0)
         if outside.any():
             first = int(np.argmax(outside))
-            place = ", ".join(f"{axis[first]:,.3f}" for axis in given)
+            x, y, z = (float(axis[first]) for axis in given)
             raise InputError(
-                f"The point at {place} lies outside {self.name} or its geoid grid "
-                f"({int(outside.sum()):,} such points): check the coordinate system."
+                error(
+                    "crs.points_outside", count=int(outside.sum()), system=self.name, x=x, y=y, z=z
+                )
             )
 
 
@@ -236,11 +238,10 @@ def coordinate_system(
         return _local_system(text)
     try:
         return _settled(_unbound(_known(text)), height, height_unit, trajectory_datum, epoch)
-    except (CRSError, ProjError, IndexError) as error:  # pyproj's words for systems out of joint
+    except (CRSError, ProjError, IndexError) as reason:  # pyproj's words for systems out of joint
         raise InputError(
-            f"{_short(text)}: PROJ cannot use this coordinate system ("
-            f"{_short(str(error))}); give its EPSG code, EPSG:32619 for example."
-        ) from error
+            error("crs.unusable", system=_short(text), reason=_short(str(reason)))
+        ) from reason
 
 
 def local_text(frame: LocalFrame) -> str:
@@ -260,11 +261,8 @@ def _local_system(text: str) -> CoordinateSystem:
         latitude, longitude, height = (
             float(part) for part in text.removeprefix(LOCAL_PREFIX).split(",")
         )
-    except ValueError as error:
-        raise InputError(
-            f"{_short(text)}: a local frame needs latitude, longitude and height of its origin "
-            "(local:46.8,-71.2,20 for example)."
-        ) from error
+    except ValueError as reason:
+        raise InputError(error("crs.local_frame", system=_short(text))) from reason
     wgs = CRS.from_epsg(4979)
     frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     return CoordinateSystem(
@@ -281,10 +279,7 @@ def _settled(
 ) -> CoordinateSystem:
     horizontal, vertical = _parts(crs)
     if not (horizontal.is_projected or horizontal.is_geographic or horizontal.is_geocentric):
-        raise InputError(
-            f"{_short(crs.name)}: this coordinate system is not tied to the earth; "
-            "give the EPSG code of the one the points are in."
-        )
+        raise InputError(error("crs.not_tied_to_earth", system=_short(crs.name)))
     assumptions = [f"coordinate system {crs.name}"]
     grid: Path | None = None
     offset = 0.0
@@ -301,10 +296,7 @@ def _settled(
         assumptions.append("the coordinate system names no heights: taken above the ellipsoid")
     if horizontal.is_geocentric:
         if height:
-            raise InputError(
-                f"{_short(crs.name)}: earth-centred coordinates have no heights to choose; leave "
-                "the height out."
-            )
+            raise InputError(error("crs.geocentric_height", system=_short(crs.name)))
         grid = vertical = None
     source = (
         horizontal.to_3d() if vertical is None
@@ -338,17 +330,12 @@ def _settled(
 
 def _known(text: str) -> CRS:
     if not text.strip():
-        raise InputError(
-            "The points name no coordinate system; give its EPSG code, EPSG:32619 for example."
-        )
+        raise InputError(error("crs.none_given"))
     plain = text.strip()
     try:
         return CRS.from_user_input(f"EPSG:{plain}" if plain.isdigit() else plain)
-    except CRSError as error:
-        raise InputError(
-            f"{_short(text)}: not a coordinate system known to PROJ; "
-            "give its EPSG code, EPSG:32619 for example, or its WKT."
-        ) from error
+    except CRSError as reason:
+        raise InputError(error("crs.unknown", system=_short(text))) from reason
 
 
 def _short(text: str) -> str:
@@ -372,10 +359,7 @@ def _unbound(crs: CRS) -> CRS:
 def _vertical(height: str) -> CRS:
     vertical = _known(height)
     if not vertical.is_vertical:
-        raise InputError(
-            f"{height}: {vertical.name} is not a system of heights; give ellipsoid, the EPSG code "
-            "of a vertical system, or a geoid grid (.gtx, .tif)."
-        )
+        raise InputError(error("crs.not_vertical", height=height, system=vertical.name))
     return vertical
 
 
@@ -390,7 +374,7 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
     own = source.axis_info[-1].unit_conversion_factor
     if height_unit:
         if height_unit not in UNITS:
-            raise InputError(f"{height_unit}: not a unit; choose {' or '.join(UNITS)}.")
+            raise InputError(error("crs.unknown_unit", unit=height_unit, units=tuple(UNITS)))
         return UNITS[height_unit] / own, height_unit
     first = crs.axis_info[0]
     if len(crs.axis_info) < 3 and not crs.is_geographic:
@@ -417,20 +401,16 @@ def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
         datum = _known(trajectory_datum)
         if datum.is_geographic:
             return datum.to_3d()
-        raise InputError(
-            f"{_short(trajectory_datum)}: not a geographic coordinate system; the datum of a "
-            "trajectory is one such as EPSG:7912 (ITRF2014)."
-        )
+        raise InputError(error("crs.not_geographic", datum=_short(trajectory_datum)))
     ellipsoid, own = horizontal.ellipsoid, horizontal.datum
     if ellipsoid is None or own is None:
-        raise InputError(f"{horizontal.name} names no datum; give the EPSG code of the system.")
+        raise InputError(error("crs.no_datum", system=horizontal.name))
     polar = SEMI_MAJOR_AXIS * (1 - FLATTENING)
     if (
         abs(ellipsoid.semi_major_metre - SEMI_MAJOR_AXIS) > 0.001
         or abs(ellipsoid.semi_minor_metre - polar) > 0.001
     ):
         raise InputError(
-            f"{horizontal.name} is not on the ellipsoid of satellite positioning but on "
-            f"{ellipsoid.name}: state the datum of the trajectory, EPSG:4979 (WGS 84) for example."
+            error("crs.other_ellipsoid", system=horizontal.name, ellipsoid=ellipsoid.name)
         )
     return GeographicCRS(name=own.name, datum=own).to_3d()

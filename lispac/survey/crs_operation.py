@@ -11,6 +11,7 @@ from pyproj.network import set_network_enabled  # type: ignore[attr-defined]
 from pyproj.transformer import Transformer, TransformerGroup
 
 from lispac.errors import InputError
+from lispac.messages import Message, error
 
 MOST_NAMED = 2
 """Systems that a sentence names, those on the latest realizations."""
@@ -30,7 +31,7 @@ def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer
     group = _group(source, target)
     known = bool(group.transformers or group.unavailable_operations)
     if not known and _datums_apart(source, target):
-        raise InputError(_no_way(source, target))
+        raise InputError(_no_operation(source, target))
     if not group.transformers or not group.best_available:
         grids = [
             grid.short_name
@@ -38,23 +39,10 @@ def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer
             for grid in operation.grids
             if not grid.available
         ]
-        several = len(grids) > 1
-        which = f", which {'are' if several else 'is'}"
-        needed = f"{', '.join(grids)}{which}" if grids else "a grid file that is"
-        geoid = "give the geoid as a file (.gtx, .tif), " if source.is_compound else ""
-        raise InputError(
-            f"From {source.name} to {target.name} PROJ needs {needed} not on this machine "
-            f"and not fetched from the network: {geoid}put {'them' if several else 'it'} into "
-            f"{get_user_data_dir()}, or export the points with ellipsoidal heights in the datum "
-            "of the trajectory."
-        )
+        raise InputError(_grids_missing(source, target, grids))
     transformer = group.transformers[0]
     if "t_epoch=" in transformer.definition and epoch is None:
-        raise InputError(
-            f"The shift from {source.name} to {target.name} changes with time: state the date of "
-            "the survey as a decimal year (its epoch; at the command line --epoch 2024.5, or "
-            "epoch=2024.5 among the options of a line)."
-        )
+        raise InputError(error("crs.epoch_missing", source=source.name, target=target.name))
     return transformer
 
 
@@ -130,21 +118,30 @@ def _composed(system: CRS, base: str) -> str:
     )
 
 
-def _no_way(source: CRS, target: CRS) -> str:
+def _grids_missing(source: CRS, target: CRS, grids: list[str]) -> Message:
+    """The message that PROJ lacks grid files; of some operations it does not say which."""
+    folder = str(get_user_data_dir())
+    if not grids:
+        code = "crs.grid_missing_geoid" if source.is_compound else "crs.grid_missing"
+        return error(code, source=source.name, target=target.name, folder=folder)
+    code = "crs.grids_missing_geoid" if source.is_compound else "crs.grids_missing"
+    return error(
+        code, source=source.name, target=target.name, folder=folder, grids=grids, count=len(grids)
+    )
+
+
+def _no_operation(source: CRS, target: CRS) -> Message:
+    """The message that PROJ knows no operation between two systems."""
     horizontal = source.sub_crs_list[0] if source.is_compound else source
-    told = f"From {source.name} to {target.name} PROJ knows no way, and no grid file would help"
     found = realizations(horizontal.to_2d(), target)
     if not found:
-        return (
-            f"{told}: give the code of a system whose datum is tied to {target.name} (epsg.org "
-            "lists them), or state another datum of the trajectory, or none where both are in one."
-        )
-    named = " or ".join(f"{code} ({name})" for code, name in found)
+        return error("crs.no_operation", source=source.name, target=target.name)
     geodetic = horizontal.geodetic_crs
     assert geodetic is not None
-    apart = ", and what its heights are counted from apart from it" if source.is_compound else ""
-    return (
-        f"{told}: {geodetic.name} stands for all its realizations, and only each of these is "
-        f"tied to {target.name}. Give the system on the realization that the survey is in "
-        f"(the latest are {named}) with the date of the survey as a decimal year{apart}."
+    return error(
+        "crs.datum_ensemble_heights" if source.is_compound else "crs.datum_ensemble",
+        source=source.name,
+        target=target.name,
+        datum=geodetic.name,
+        systems=tuple(f"{code} ({name})" for code, name in found),
     )

@@ -6,6 +6,7 @@ from pyproj import Transformer
 from pyproj.exceptions import ProjError
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 
 def geoid_grid(grid: Path) -> Transformer:
@@ -17,14 +18,12 @@ def geoid_grid(grid: Path) -> Transformer:
         Where there is no such grid, or it cannot be read.
     """
     if not grid.is_file():
-        raise InputError(f"{grid}: there is no such geoid grid; check the path.")
+        raise InputError(error("crs.geoid_not_found", file=str(grid)))
     if "," in str(grid) or '"' in str(grid):
-        raise InputError(f"{grid}: PROJ takes no commas or quotes in a path; rename the grid.")
+        raise InputError(error("crs.geoid_path", file=str(grid)))
     try:  # pyproj turns degrees into the radians of the shift, and back
         return Transformer.from_pipeline(
             f'+proj=vgridshift +grids="{grid.resolve()}" +multiplier=1'
         )
-    except ProjError as error:
-        raise InputError(
-            f"{grid}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ."
-        ) from error
+    except ProjError as reason:
+        raise InputError(error("crs.geoid_unreadable", file=str(grid))) from reason

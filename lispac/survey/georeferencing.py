@@ -19,7 +19,7 @@ from lispac.foreign_values import Shape
 from lispac.geometry.rotations import angles_of, rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress
 from lispac.survey import kernels
-from lispac.survey.trajectory import LocalTrajectory, Poses
+from lispac.survey.trajectory import LocalTrajectory, Poses, outside_trajectory
 
 Array = NDArray[np.float64]
 
@@ -320,15 +320,10 @@ def kernel_arguments(
 
 
 def outside(time: Array, trajectory: LocalTrajectory) -> InputError:
-    """What is said of times that have no pose.
+    """The error that times have no pose.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
     """
-    known = trajectory.time
-    return InputError(
-        f"Points from {np.min(time):.3f} to {np.max(time):.3f} s lie outside the "
-        f"trajectory ({known[0]:.3f} to {known[-1]:.3f} s): "
-        "check that both use the same time base."
-    )
+    return InputError(outside_trajectory(time, trajectory.time))

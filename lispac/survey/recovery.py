@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.mapping import PointMapper
@@ -156,11 +157,17 @@ def require_within_reach(points_lidar: Array, recovery: Recovery) -> None:
         return
     near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= FARTHEST**2
     if 2 * np.count_nonzero(near) < len(near):
-        half = "Half" if recovery.path is None else f"{recovery.path}: half"
+        if recovery.path is None:
+            raise InputError(
+                error("survey.points_too_far", limit=FARTHEST, system=recovery.system.name)
+            )
         raise InputError(
-            f"{half} of the points come out farther than {FARTHEST / 1000:,.0f} km from the "
-            f"scanner with {recovery.system.name}: check the coordinate system and its unit, and "
-            "that points and trajectory share one time base."
+            error(
+                "survey.points_of_file_too_far",
+                file=str(recovery.path),
+                limit=FARTHEST,
+                system=recovery.system.name,
+            )
         )
 
 
@@ -185,10 +192,12 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     near = np.einsum("ij,ij->i", some, some) <= FARTHEST**2
     if 2 * np.count_nonzero(near) < len(near):
         raise InputError(
-            f"{path}: half of the points lie farther than {FARTHEST / 1000:,.0f} km from the "
-            f"origin (up to {np.sqrt((some**2).sum(axis=1).max()):,.0f} m), so they are not in the "
-            "scanner frame: leave the frame unstated, or state frame=georeferenced and the "
-            "coordinate system; check the unit."
+            error(
+                "survey.not_scanner_frame",
+                file=str(path),
+                limit=FARTHEST,
+                farthest=float(np.sqrt((some**2).sum(axis=1).max())),
+            )
         )
 
 

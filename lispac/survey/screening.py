@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey import screening_kernels as kernels
 from lispac.survey.line_audit import SKETCH, LineAudit, grid_of, spans_of, time_step_of
 
@@ -115,10 +116,7 @@ def conditions_of(text: str) -> tuple[Condition, ...]:
         except ValueError:
             sign = ""
         if not sign or not name:
-            raise InputError(
-                f"{part}: not a condition for points; give ATTRIBUTE=VALUE or ATTRIBUTE=LOW:HIGH, "
-                "scanner_channel=0 or time=1200:1260 for example."
-            )
+            raise InputError(error("survey.not_a_condition", text=part))
     return tuple(found)
 
 
@@ -126,9 +124,7 @@ def _classes(text: str) -> tuple[int, ...]:
     try:
         return tuple(int(part) for part in re.split(r"[ ,;]+", text.strip()) if part)
     except ValueError:
-        raise InputError(
-            f"{text}: not a list of classes; give numbers, 7 18 for example."
-        ) from None
+        raise InputError(error("survey.not_classes", text=text)) from None
 
 
 def _most_range(text: str) -> float:
@@ -137,7 +133,7 @@ def _most_range(text: str) -> float:
     except ValueError:
         value = 0.0
     if not 0 < value <= LARGEST:
-        raise InputError(f"{text}: not a largest range; give metres, 250 for example.")
+        raise InputError(error("survey.not_a_range", text=text))
     return value
 
 
@@ -385,13 +381,10 @@ def _attribute(name: str, time: Array, extra: Mapping[str, NDArray[Any]]) -> NDA
         return time
     names = {each.lower(): each for each in extra}
     if name not in names:
-        raise InputError(
-            f"{name}: the points have no such attribute to select by; they have "
-            f"{', '.join(('time', *extra))}."
-        )
+        raise InputError(error("survey.unknown_attribute", name=name, names=("time", *extra)))
     values = np.asarray(extra[names[name]])
     if values.ndim > 1:
-        raise InputError(f"{name}: has several values a point and cannot be selected by.")
+        raise InputError(error("survey.vector_attribute", name=name))
     return values
 
 

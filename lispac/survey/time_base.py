@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -101,7 +102,7 @@ def base_of(key: str) -> TimeBase:
     for base in BASES:
         if base.key == key:
             return base
-    raise InputError(f"There is no time base {key}; choose one of {', '.join(KEYS)}.")
+    raise InputError(error("time.unknown_base", base=key, bases=KEYS))
 
 
 def plausible(times: Array) -> tuple[TimeBase, ...]:
@@ -158,9 +159,7 @@ def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
     continuous = times + base.offset
     if base.period is not None:
         if near is None:
-            raise InputError(
-                f"{base.name[0].upper()}{base.name[1:]} do not tell the date; state the date."
-            )
+            raise InputError(error("time.no_date", base=base.key))
         goal = near - (float(leap_seconds_at_gps(near)) if base.utc else 0.0)
         continuous = continuous + base.period * np.round((goal - continuous[0]) / base.period)
     return continuous + leap_seconds(continuous) if base.utc else continuous

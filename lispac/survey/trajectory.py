@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
-from lispac.messages import Level, Message
+from lispac.messages import Level, Message, error
 from lispac.survey.states_between import densified
 
 Array = NDArray[np.float64]
@@ -80,10 +80,7 @@ class Trajectory:
             return self
         count = int(np.count_nonzero(~placed))
         if count == len(placed):
-            raise InputError(
-                "None of the states of the trajectory has a position (latitude and longitude are 0 "
-                "everywhere); export it from where the GNSS has a fix."
-            )
+            raise InputError(error("survey.trajectory_without_position"))
         return replace(
             self, time=self.time[placed], latitude=self.latitude[placed],
             longitude=self.longitude[placed], height=self.height[placed],
@@ -218,11 +215,7 @@ class LocalTrajectory:
         rotation_local_level = frame.rotation_local_level(trajectory.latitude, trajectory.longitude)
         attitude = angles_of(rotation_local_level @ rotation_level_body)
         if (np.abs(attitude[:, 1]) > STEEPEST).mean() > 0.5:
-            raise InputError(
-                f"The trajectory's pitch is beyond {np.degrees(STEEPEST):.0f} deg most of the "
-                "time, where roll and heading cannot be told apart: export it for a body frame "
-                "whose first axis is level (vessel or reference frame, not the tilted IMU's own)."
-            )
+            raise InputError(error("survey.trajectory_steep", limit=float(STEEPEST)))
         attitude = np.unwrap(attitude, axis=0)
         if trajectory.velocity is None and trajectory.attitude_rate is None:
             return cls(frame, trajectory.time, position, attitude, longest_gap, trajectory.messages)
@@ -309,11 +302,7 @@ class LocalTrajectory:
             Where a time lies outside the trajectory.
         """
         if len(time) and not self.covers(np.array([np.min(time), np.max(time)])).all():
-            raise InputError(
-                f"Points from {np.min(time):.3f} to {np.max(time):.3f} s lie outside the "
-                f"trajectory ({self.time[0]:.3f} to {self.time[-1]:.3f} s): "
-                "check that both use the same time base."
-            )
+            raise InputError(outside_trajectory(time, self.time))
         return Poses(
             _interpolate(time, self.time, self.position),
             _interpolate(time, self.time, self.attitude),
@@ -322,3 +311,22 @@ class LocalTrajectory:
 
 def _interpolate(time: Array, known_time: Array, values: Array) -> Array:
     return np.stack([np.interp(time, known_time, column) for column in values.T], axis=-1)
+
+
+def outside_trajectory(time: Array, known: Array) -> Message:
+    """The message that points lie outside the trajectory.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds
+        Of the points.
+    known : ndarray of shape (m,), seconds, increasing
+        Of the states.
+    """
+    return error(
+        "survey.outside_trajectory",
+        first=float(np.min(time)),
+        last=float(np.max(time)),
+        start=float(known[0]),
+        end=float(known[-1]),
+    )

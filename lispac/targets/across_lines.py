@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from lispac.errors import PlaneNotFound
 from lispac.geometry.neighbours import PointGrid
 from lispac.geometry.planes import Plane, in_plane_axes
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.targets import outline
 from lispac.targets.finder import (
@@ -117,7 +118,8 @@ def find_in_lines(
         return lambda name: _find_in(clouds[name], grids.get(name), reference, settings)
 
     shape = Shape(
-        word="plane",
+        no_line="finder.no_line_for_plane",
+        in_no_line="finder.no_plane_in_lines",
         error=PlaneNotFound,
         find=lambda name: find_plane(
             clouds[name], seed, settings, index=grids.get(name), beside=close.get(name)
@@ -161,16 +163,13 @@ def _find_in(
     def same(best: PlanePatch, other: PlanePatch) -> bool:
         return bool(np.isin(other.indices, best.indices, assume_unique=True).mean() >= 0.2)
 
-    def contradiction(best: PlanePatch, other: PlanePatch) -> str | None:
+    def contradiction(best: PlanePatch, other: PlanePatch) -> Message | None:
         # Two parts of one wide surface are no contradiction: either gives the same plane.
         off = abs(float(best.plane.distances(other.centre)))
         if same(best, other) or off <= settings.threshold:
             return None
         apart = float(np.linalg.norm(other.centre - best.centre))
-        return (
-            f"Two planes {apart:.2f} m apart resemble the target equally; "
-            "set a seed of its own for this line."
-        )
+        return error("finder.two_planes", distance=apart)
 
     shifts = shifts_into(cloud, grid, reference.around, reference.seed, settings)
     return best_match(
@@ -243,7 +242,8 @@ def _match(
         Where too little of the target is there, or far more than it.
     """
     moved = reference.patch_points + shift.vector
-    there = neighbourhood(cloud, reference.seed + shift.vector, settings, index=grid)
+    seed = reference.seed + shift.vector
+    there = neighbourhood(cloud, seed, settings, index=grid)
     points = cloud[there]
     normal = reference.patch.plane.normal
     axes = in_plane_axes(normal)
@@ -251,24 +251,21 @@ def _match(
     inside = outline.covered(points @ axes.T, moved @ axes.T, reference.cell)
     votes = np.where(inside & (np.abs(offset) <= OFFSET), 1.0 / (1.0 + (offset / 0.1) ** 2), 1e-6)
     if np.count_nonzero(inside & (np.abs(offset) <= OFFSET)) < settings.min_points:
-        raise PlaneNotFound("The line has too few points where the target should be.")
-    where = "the place where the target should be"
-    patch = extract(points, there, votes, settings, where, expected_normal=normal)
+        raise PlaneNotFound(error("finder.too_few_where_expected"))
+    patch = extract(points, there, votes, settings, seed, expected_normal=normal)
     placed = cloud[patch.indices] @ axes.T
     cell = max(reference.cell, outline.cell_size(placed, np.ones(len(placed))))
     coverage = float(outline.covered(moved @ axes.T, placed, cell).mean())
     larger = outline.area(placed, cell) / outline.area(moved @ axes.T, cell)
     tilt = degrees(patch.plane.tilt_to(reference.patch.plane))
     if coverage < LEAST_COVERED:
-        raise PlaneNotFound(
-            f"The plane found covers only {100.0 * coverage:.0f} % of the target's outline."
-        )
+        raise PlaneNotFound(error("finder.small_part", share=coverage))
     if larger > MOST_LARGER:
-        raise PlaneNotFound(f"The plane found is {larger:.1f} times as large as the target.")
+        raise PlaneNotFound(error("finder.too_large", ratio=larger))
     own = cloud[patch.indices] @ in_plane_axes(patch.plane.normal).T
     beyond = _ratio_beyond(points, patch.plane, own, cell, settings)
     if beyond - reference.beyond > CROSSING:
-        raise PlaneNotFound("The points found are part of a surface that crosses the target.")
+        raise PlaneNotFound(error("finder.crossing"))
     likeness = coverage * min(1.0, 1.5 / larger) * np.cos(np.radians(2.0 * tilt))
     return patch, shift.score * float(likeness)
 

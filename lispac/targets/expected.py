@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -34,9 +35,9 @@ class ExpectedTarget:
 
     def __post_init__(self) -> None:
         if not (0.0 < self.width < np.inf and 0.0 < self.height < np.inf):
-            raise InputError("The expected width and height must be lengths above zero.")
+            raise InputError(error("finder.expected_size"))
         if self.inclination is not None and not 0.0 <= self.inclination <= np.pi / 2:
-            raise InputError("The expected inclination must be from 0 to 90 deg.")
+            raise InputError(error("finder.expected_tilt"))
 
 
 def inclination(normal: Array) -> float:

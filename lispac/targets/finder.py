@@ -15,6 +15,7 @@ from lispac.geometry.planes import (
     plane_through,
     rms_distance,
 )
+from lispac.messages import Message, error, note
 from lispac.targets import outline
 from lispac.targets.growing import grow, strongest, trimmed
 from lispac.targets.ransac import draw
@@ -109,7 +110,7 @@ def find_plane(
         near,
         votes,
         settings,
-        describe_seed(seed),
+        seed,
         expected_normal=expected_normal,
         through=_middle_of_click(about) if clicked else None,
     )
@@ -135,13 +136,14 @@ def checked_seed(seed: Array) -> Array:
     """
     seed = np.asarray(seed, dtype=np.float64)
     if seed.shape != (3,) or not np.all(np.isfinite(seed)):
-        raise PlaneNotFound("The seed must be three numbers: north, west and up, in metres.")
+        raise PlaneNotFound(error("finder.seed"))
     return seed
 
 
-def describe_seed(seed: Array) -> str:
-    """The seed, shape (3,), metres, local frame, in the words of the messages."""
-    return f"({seed[0]:.2f}, {seed[1]:.2f}, {seed[2]:.2f})"
+def place_of(seed: Array) -> Message:
+    """The seed, shape (3,), metres, local frame, as part of a message."""
+    north, west, up = map(float, seed)
+    return note("finder.place", north=north, west=west, up=up)
 
 
 def neighbourhood(
@@ -170,17 +172,23 @@ def neighbourhood(
     else:
         near = index.within(centre, settings.radius)
     if len(near) < settings.min_points:
-        where = f"within {settings.radius:g} m of {describe_seed(centre)}"
+        radius, place = settings.radius, place_of(centre)
         if len(near) > 0:
             raise PlaneNotFound(
-                f"Only {len(near)} points lie {where}, fewer than the {settings.min_points} "
-                "a target needs; move the seed or enlarge the radius."
+                error(
+                    "finder.few_points",
+                    count=len(near),
+                    radius=radius,
+                    needed=settings.min_points,
+                    place=place,
+                )
             )
         _, distance = nearest_point(points_local, centre)
-        raise PlaneNotFound(
-            f"No points lie {where}"
-            + (f"; the nearest is {distance:.2f} m away." if np.isfinite(distance) else ".")
-        )
+        if np.isfinite(distance):
+            raise PlaneNotFound(
+                error("finder.no_points", radius=radius, distance=float(distance), place=place)
+            )
+        raise PlaneNotFound(error("finder.line_without_points", radius=radius, place=place))
     points = points_local[near]
     squared = ((points - centre) ** 2).sum(axis=1)
     order = np.argsort(squared)
@@ -195,7 +203,7 @@ def extract(
     indices: Indices,
     votes: Array,
     settings: FinderSettings,
-    where: str,
+    seed: Array,
     *,
     expected_normal: Array | None = None,
     through: Array | None = None,
@@ -211,7 +219,7 @@ def extract(
     votes : ndarray of shape (n,)
         How much each point has to say about which plane is meant.
     settings : FinderSettings
-    where : str
+    seed : ndarray of shape (3,), metres, local frame
         For the messages.
     expected_normal : ndarray of shape (3,), local frame, optional
     through : ndarray of shape (3,), metres, local frame, optional
@@ -227,20 +235,25 @@ def extract(
     contenders = draw(local, votes, settings, expected_normal, held)
     if not contenders:
         raise PlaneNotFound(
-            f"No plane within {settings.threshold:g} m holds the points around {where}."
+            error("finder.no_plane", threshold=settings.threshold, place=place_of(seed))
         )
     on = grow(local, votes, strongest(local, votes, contenders, settings, held), settings, held)
     on = trimmed(local, on, settings)
     if len(on) < settings.min_points:
         raise PlaneNotFound(
-            f"The flat patch around {where} has only {len(on)} points, fewer than "
-            f"{settings.min_points}; a wider threshold than {settings.threshold:g} m may help."
+            error(
+                "finder.plane_few_points",
+                count=len(on),
+                needed=settings.min_points,
+                threshold=settings.threshold,
+                place=place_of(seed),
+            )
         )
     plane = fit_plane(points[on])
     if expected_normal is not None:
         plane = plane.facing(expected_normal)
         if plane.tilt_to(plane_through(origin, expected_normal)) > settings.max_tilt:
-            raise PlaneNotFound(f"The plane around {where} is inclined otherwise than expected.")
+            raise PlaneNotFound(error("finder.other_tilt", place=place_of(seed)))
     return _patch(points[on], np.sort(indices[on]), plane)
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
+from lispac.messages import Message, error
 from lispac.progress import Progress
 from lispac.targets.settings import FinderSettings
 from lispac.targets.shift import Shift, find_shifts, voxels
@@ -42,8 +43,10 @@ class Shape(Generic[Patch]):
 
     Attributes
     ----------
-    word : str
-        "plane", "sphere".
+    no_line : str
+        Code of the message that there is no line.
+    in_no_line : str
+        Code of the message that no line has the target, with the reason in the nearest line.
     error : type of TargetNotFound
     find : callable of a line's name
         The patch at the seed; raises TargetNotFound.
@@ -53,7 +56,8 @@ class Shape(Generic[Patch]):
         What finds that patch again in another line, given by its name; it raises TargetNotFound.
     """
 
-    word: str
+    no_line: str
+    in_no_line: str
     error: type[TargetNotFound]
     find: Callable[[str], Patch]
     distance: Callable[[str, Patch], float]
@@ -95,17 +99,16 @@ def search_lines(
     """
     if first_line is not None:
         if first_line not in clouds:
-            raise shape.error(f"There is no line named {first_line}.")
+            raise shape.error(error("finder.unknown_line", line=first_line))
         return _from_reference(clouds, first_line, shape.find(first_line), shape, progress)
     patches, reasons = _in_each(clouds, shape.find)
     if not patches:
-        # One sentence, of the line that comes nearest: a list of all of them helps nobody.
+        # The reason in the nearest line only: a list of all of them helps nobody.
         if not clouds:
-            raise shape.error(f"There is no line to seek a {shape.word} in.")
+            raise shape.error(error(shape.no_line))
         nearest_line = min(clouds, key=lambda name: nearest_point(clouds[name], seed)[1])
         raise shape.error(
-            f"No line has a {shape.word} at the seed ({nearest_line}: {reasons[nearest_line]}) "
-            "Set the seed on the target, or enlarge the radius."
+            error(shape.in_no_line, line=nearest_line, reason=reasons[nearest_line].reason)
         )
     clicked = _clicked_line(clouds, grids, seed)
     if clicked in patches:
@@ -193,20 +196,20 @@ def shifts_into(
     around = cloud[near(cloud, grid, seed, reach)]
     if len(around) < settings.min_points:
         raise TargetNotFound(
-            f"The line has only {len(around)} points within {reach:g} m of the seed."
+            error("finder.line_few_points", count=len(around), radius=reach)
             if len(around)
-            else f"The line has no points within {reach:g} m of the seed."
+            else error("finder.line_no_points", radius=reach)
         )
     shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
     if not shifts:
-        raise TargetNotFound("Nothing in this line resembles the target and its surroundings.")
+        raise TargetNotFound(error("finder.not_alike"))
     return shifts[:CANDIDATES]
 
 
 def best_match(
     shifts: list[Shift],
     match: Callable[[Shift], tuple[Patch, float]],
-    contradiction: Callable[[Patch, Patch], str | None],
+    contradiction: Callable[[Patch, Patch], Message | str | None],
     further: Callable[[], list[Shift]] = list,
     closer: Callable[[list[Shift]], list[float]] | None = None,
     same: Callable[[Patch, Patch], bool] = lambda best, other: False,
@@ -219,7 +222,7 @@ def best_match(
     match : callable of a Shift
         The patch there and its score, no higher than the translation's; raises TargetNotFound.
     contradiction : callable of the best patch and another
-        What to say when these cannot both be meant, else None.
+        The message where these cannot both be meant, else None.
     further : callable
         More translations, the best first, for where these lead to nothing like the reference.
     closer : callable of translations, optional
@@ -232,12 +235,12 @@ def best_match(
     TargetNotFound
         There is none at any, or two contradict each other.
     """
-    refused: list[str] = []
+    refused: list[TargetNotFound] = []
     matches = _matches(shifts, match, refused)
     if max((score for _, score, _ in matches), default=0.0) < ALIKE * shifts[0].score:
         matches += _matches(further(), match, refused)
     if not matches:
-        raise TargetNotFound(refused[0])
+        raise TargetNotFound(refused[0].reason)
     matches = _near_best(matches)
     if closer is not None and not all(same(matches[0][0], other) for other, _, _ in matches[1:]):
         scores = closer([shift for _, _, shift in matches])
@@ -247,9 +250,9 @@ def best_match(
         ])  # fmt: skip
     best = matches[0][0]
     for other, _, _ in matches[1:]:
-        said = contradiction(best, other)
-        if said is not None:
-            raise TargetNotFound(said)
+        message = contradiction(best, other)
+        if message is not None:
+            raise TargetNotFound(message)
     return best
 
 
@@ -260,7 +263,9 @@ def _near_best(matches: list[tuple[Patch, float, Shift]]) -> list[tuple[Patch, f
 
 
 def _matches(
-    shifts: list[Shift], match: Callable[[Shift], tuple[Patch, float]], refused: list[str]
+    shifts: list[Shift],
+    match: Callable[[Shift], tuple[Patch, float]],
+    refused: list[TargetNotFound],
 ) -> list[tuple[Patch, float, Shift]]:
     found: list[tuple[Patch, float, Shift]] = []
     for shift in shifts:
@@ -269,7 +274,7 @@ def _matches(
         try:
             found.append((*match(shift), shift))
         except TargetNotFound as reason:
-            refused.append(str(reason))
+            refused.append(reason)
     return found
 
 
@@ -277,25 +282,25 @@ def _in_each(
     clouds: Mapping[str, Array],
     look: Callable[[str], Patch],
     done: Callable[[int, str], None] = lambda count, name: None,
-) -> tuple[dict[str, Patch], dict[str, str]]:
+) -> tuple[dict[str, Patch], dict[str, TargetNotFound]]:
     """What ``look`` finds in each line, and why it does not in others, on all cores."""
     found: dict[str, Patch] = {}
-    missing: dict[str, str] = {}
+    missing: dict[str, TargetNotFound] = {}
 
-    def attempt(name: str) -> tuple[Patch | None, str]:
+    def attempt(name: str) -> Patch | TargetNotFound:
         try:
-            return look(name), ""
+            return look(name)
         except TargetNotFound as reason:
-            return None, str(reason)
+            return reason
 
     pool = ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds))))
     try:
         answers = pool.map(attempt, clouds)
-        for count, (name, (patch, reason)) in enumerate(zip(clouds, answers, strict=True), start=1):
-            if patch is not None:
-                found[name] = patch
+        for count, (name, answer) in enumerate(zip(clouds, answers, strict=True), start=1):
+            if isinstance(answer, TargetNotFound):
+                missing[name] = answer
             else:
-                missing[name] = reason
+                found[name] = answer
             done(count, name)
     finally:  # cancelled from inside progress: what has not begun need not begin
         pool.shutdown(cancel_futures=True)
@@ -310,11 +315,12 @@ def _from_reference(
     progress: Progress,
 ) -> tuple[dict[str, Patch], dict[str, str]]:
     again = shape.follow(first_line, first)
-    return _in_each(
+    found, missing = _in_each(
         clouds,
         lambda name: first if name == first_line else again(name),
         lambda count, name: progress(count / len(clouds), f"Looked for the target in {name}"),
     )
+    return found, {name: str(reason) for name, reason in missing.items()}
 
 
 def _clicked_line(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.planes import fit_plane
+from lispac.messages import error
 from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
@@ -144,6 +145,6 @@ def between(
     way = np.array([*(second - first)[:2], 0.0])
     length = float(np.linalg.norm(way))
     if length < 0.01:
-        raise InputError("The two points lie above each other; a section needs a direction.")
+        raise InputError(error("target.section_vertical"))
     high = max(length, 2.0) if height is None else height
     return Section(0.5 * (first + second), way / length, UP, length, high, thickness)

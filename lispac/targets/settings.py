@@ -5,6 +5,7 @@ from math import degrees, pi, radians
 from typing import Any
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 
 @dataclass(frozen=True)
@@ -52,9 +53,7 @@ class FinderSettings:
             ("seed", self.seed >= 0),
         ):
             if not good:  # a NaN fails every comparison, so it ends here too
-                raise InputError(
-                    f"The plane finder cannot work with {name} = {getattr(self, name)}."
-                )
+                raise InputError(error("finder.setting", name=name, value=getattr(self, name)))
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,8 @@ from lispac.errors import InputError, PlaneNotFound, SphereNotFound
 from lispac.geometry.neighbours import PointGrid
 from lispac.geometry.planes import fit_plane, rms_distance
 from lispac.geometry.spheres import Sphere, cap_axis, fit_sphere, rms_from_sphere, share_seen
-from lispac.targets.finder import checked_seed, describe_seed, neighbourhood
+from lispac.messages import Message, error, note
+from lispac.targets.finder import checked_seed, neighbourhood, place_of
 from lispac.targets.growing import MOST_ROUNDS, ROBUST_ROUNDS, TRIM
 from lispac.targets.ransac import BESIDE
 from lispac.targets.settings import FinderSettings
@@ -53,10 +54,7 @@ class RadiusSought:
 
     def __post_init__(self) -> None:
         if not (0.0 < self.least <= self.most < np.inf):  # never true for a NaN
-            raise InputError(
-                f"A sphere cannot be sought with radii from {self.least} m to {self.most} m; "
-                "give two lengths above zero, the smaller one first."
-            )
+            raise InputError(error("finder.radii", least=self.least, most=self.most))
 
     @classmethod
     def exactly(cls, radius: float) -> "RadiusSought":
@@ -68,10 +66,12 @@ class RadiusSought:
         """The known radius, metres, or None."""
         return self.least if self.least == self.most else None
 
-    def __str__(self) -> str:
+    @property
+    def described(self) -> Message:
+        """A sphere of such a radius as part of a message."""
         if self.known is not None:
-            return f"of radius {self.known:g} m"
-        return f"of a radius from {self.least:g} to {self.most:g} m"
+            return note("finder.sphere_of_radius", radius=self.known)
+        return note("finder.sphere_of_radii", least=self.least, most=self.most)
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,17 +137,21 @@ def find_sphere(
     try:
         seed = checked_seed(seed)
         near = neighbourhood(points_local, seed, settings, index=index)
-    except PlaneNotFound as reason:  # its sentences speak of points, not of planes
-        raise SphereNotFound(str(reason)) from None
+    except PlaneNotFound as failure:  # its messages are about points, not about planes
+        raise SphereNotFound(failure.reason) from None
     distance = np.linalg.norm(points_local[near] - seed, axis=1)
     reach = REACH * sought.most
     near = near[distance <= reach]
-    where = describe_seed(seed)
     if len(near) < settings.min_points:
         raise SphereNotFound(
-            f"Only {len(near)} points lie within {reach:g} m of {where}, where a sphere {sought} "
-            f"would be, fewer than the {settings.min_points} a target needs; set the seed on the "
-            "ball."
+            error(
+                "finder.sphere_few_nearby",
+                count=len(near),
+                radius=reach,
+                sphere=sought.described,
+                needed=settings.min_points,
+                place=place_of(seed),
+            )
         )
     # Far from the origin of the survey the products would lose digits.
     local = points_local[near] - seed
@@ -165,10 +169,15 @@ def find_sphere(
             best = merit, sphere, on
     if best is None:
         raise SphereNotFound(
-            f"No sphere {sought} holds the points around {where} within {settings.threshold:g} m."
+            error(
+                "finder.no_sphere",
+                sphere=sought.described,
+                threshold=settings.threshold,
+                place=place_of(seed),
+            )
         )
     _, sphere, on = best
-    _check(local, sphere, on, sought, settings, where)
+    _check(local, sphere, on, sought, settings, seed)
     indices = np.sort(near[on])
     return patch_on_sphere(points_local, indices, sought)
 
@@ -255,7 +264,7 @@ def _check(
     on: Indices,
     sought: RadiusSought,
     settings: FinderSettings,
-    where: str,
+    seed: Array,
 ) -> None:
     """Refuse points that are not those of a ball, with the reason.
 
@@ -265,18 +274,30 @@ def _check(
     """
     if len(on) < settings.min_points:
         raise SphereNotFound(
-            f"The sphere around {where} has only {len(on)} points, fewer than "
-            f"{settings.min_points}; a wider threshold than {settings.threshold:g} m may help."
+            error(
+                "finder.sphere_few_points",
+                count=len(on),
+                needed=settings.min_points,
+                threshold=settings.threshold,
+                place=place_of(seed),
+            )
         )
     if not 0.999999 * sought.least <= sphere.radius <= 1.000001 * sought.most:
         raise SphereNotFound(
-            f"The surface around {where} is round with a radius of {sphere.radius:.3f} m, "
-            f"but a sphere {sought} was sought."
+            error(
+                "finder.sphere_other_radius",
+                radius=sphere.radius,
+                sphere=sought.described,
+                place=place_of(seed),
+            )
         )
     if sphere.distances(np.zeros(3)) > sphere.radius:
         raise SphereNotFound(
-            f"The nearest sphere lies {sphere.distances(np.zeros(3)):.2f} m from {where}; set the "
-            "seed on the ball."
+            error(
+                "finder.sphere_far",
+                distance=float(sphere.distances(np.zeros(3))),
+                place=place_of(seed),
+            )
         )
     off = sphere.distances(points)
     beside = (off < -settings.threshold) | (
@@ -284,16 +305,19 @@ def _check(
     )
     if np.count_nonzero(beside) > MOST_BESIDE * len(on):
         raise SphereNotFound(
-            f"A sphere {sought} around {where} touches {len(on)} points, but the surface goes on "
-            f"beside it with {np.count_nonzero(beside)} more: it is no ball, or one of another "
-            "radius or with more noise than the threshold allows."
+            error(
+                "finder.sphere_continues",
+                count=len(on),
+                beside=int(np.count_nonzero(beside)),
+                sphere=sought.described,
+                place=place_of(seed),
+            )
         )
     share = share_seen(sphere, points[on])
     if share < LEAST_SHARE:
         raise SphereNotFound(
-            f"The points around {where} show {100.0 * share:.0f} % of a sphere's surface, too "
-            f"little to call it a ball; at least {100.0 * LEAST_SHARE:.0f} % are needed."
+            error("finder.sphere_small_part", share=share, needed=LEAST_SHARE, place=place_of(seed))
         )
     flat = rms_distance(fit_plane(points[on]), points[on])
     if flat < BETTER_THAN_FLAT * rms_from_sphere(sphere, points[on]):
-        raise SphereNotFound(f"The surface around {where} is flat rather than a ball.")
+        raise SphereNotFound(error("finder.sphere_flat", place=place_of(seed)))

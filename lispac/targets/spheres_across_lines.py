@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound, SphereNotFound
 from lispac.geometry.neighbours import PointGrid
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.targets.finder import checked_seed
 from lispac.targets.lines import (
@@ -74,8 +75,8 @@ def find_spheres_in_lines(
     """
     try:
         seed = checked_seed(seed)
-    except PlaneNotFound as reason:
-        raise SphereNotFound(str(reason)) from None
+    except PlaneNotFound as failure:
+        raise SphereNotFound(failure.reason) from None
     grids = indices or {}
 
     def follow(first_line: str, first: SpherePatch) -> Callable[[str], SpherePatch]:
@@ -86,7 +87,8 @@ def find_spheres_in_lines(
         )
 
     shape = Shape(
-        word="sphere",
+        no_line="finder.no_line_for_sphere",
+        in_no_line="finder.no_sphere_in_lines",
         error=SphereNotFound,
         find=lambda name: find_sphere(clouds[name], seed, sought, settings, index=grids.get(name)),
         distance=lambda _, patch: max(0.0, float(patch.sphere.distances(seed))),
@@ -118,8 +120,11 @@ def _find_in(
         larger = max(ratio, 1.0 / ratio)
         if larger > MOST_LARGER:
             raise SphereNotFound(
-                f"The sphere found has a radius of {patch.sphere.radius:.3f} m, but in the line "
-                f"clicked it has {first.sphere.radius:.3f} m."
+                error(
+                    "finder.radius_differs",
+                    radius=patch.sphere.radius,
+                    expected=first.sphere.radius,
+                )
             )
         off = float(np.linalg.norm(patch.centre - predicted))
         likeness = 1.0 / (1.0 + (off / OFFSET) ** 2) / larger
@@ -129,12 +134,9 @@ def _find_in(
     return best_match(shifts, match, _contradiction)
 
 
-def _contradiction(best: SpherePatch, other: SpherePatch) -> str | None:
+def _contradiction(best: SpherePatch, other: SpherePatch) -> Message | None:
     """Two balls cannot both be the target; one found twice is no contradiction."""
     apart = float(np.linalg.norm(best.centre - other.centre))
     if apart <= 0.5 * best.sphere.radius:
         return None
-    return (
-        f"Two spheres {apart:.2f} m apart resemble the target equally; "
-        "set a seed of its own for this line."
-    )
+    return error("finder.two_spheres", distance=apart)

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -34,7 +35,7 @@ def thin(points: Array, distance: float) -> Indices:
         The distance is not a number.
     """
     if not np.isfinite(distance):
-        raise InputError("The thinning distance must be a number of metres.")
+        raise InputError(error("target.point_spacing"))
     usable: Indices = np.flatnonzero(np.isfinite(points).all(axis=1)).astype(np.int64)
     if distance <= 0.0 or len(usable) == 0:
         return usable

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.knn import build_tree, spatial_order
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 
@@ -23,6 +24,10 @@ if TYPE_CHECKING:
     from scipy.spatial import cKDTree
 
 _CHUNK = 50_000
+
+COMPARED = ("validation.compared_shape", "validation.compared_not_finite")
+REFERENCE = ("validation.reference_shape", "validation.reference_not_finite")
+"""Codes of the messages that a cloud has a wrong shape, or coordinates that are not finite."""
 
 
 def cloud_to_cloud(
@@ -63,14 +68,14 @@ def cloud_to_cloud(
     is a height over the plane through its points, where CloudCompare takes the height along the
     coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
-    compared = _cloud(compared, "compared")
-    reference = _cloud(reference, "reference")
+    compared = _cloud(compared, COMPARED)
+    reference = _cloud(reference, REFERENCE)
     if max_distance is not None and not max_distance > 0.0:
-        raise InputError(f"The maximum distance must be positive, and it is {max_distance} m.")
+        raise InputError(error("validation.max_distance", distance=max_distance))
     if len(compared) == 0:
         return np.empty(0)
     if len(reference) == 0:
-        raise InputError("The reference cloud of a cloud-to-cloud distance holds no point.")
+        raise InputError(error("validation.empty_reference"))
 
     limit = np.inf if max_distance is None else max_distance
     progress(0.0, "Indexing the clouds")
@@ -116,7 +121,7 @@ def _distances(
     return np.asarray(distances)
 
 
-def _cloud(points: ArrayLike, name: str) -> NDArray[np.float64]:
+def _cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
     """Points as a contiguous (n, 3) array of finite numbers.
 
     Raises
@@ -124,15 +129,11 @@ def _cloud(points: ArrayLike, name: str) -> NDArray[np.float64]:
     InputError
         Where they are not.
     """
+    shape, not_finite = codes
     cloud = np.ascontiguousarray(points, dtype=np.float64)
     if cloud.ndim != 2 or cloud.shape[1] != 3:
-        raise InputError(
-            f"The {name} cloud must be an array of shape (n, 3), and its shape is {cloud.shape}."
-        )
+        raise InputError(error(shape, shape=str(cloud.shape)))
     bad = int(np.count_nonzero(~np.isfinite(cloud).all(axis=1)))
     if bad:
-        raise InputError(
-            f"The {name} cloud holds {bad} of {len(cloud)} points whose coordinates are not "
-            "finite numbers; remove them before measuring distances."
-        )
+        raise InputError(error(not_finite, count=bad, total=len(cloud)))
     return cloud

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.validation.bins import counted, shared_edges
 from lispac.validation.cloud_distance import cloud_to_cloud
@@ -111,10 +112,10 @@ def compare_plane(
     _check_same_points(name, before, after, headings)
     seen = [line for line in before if len(before[line]) >= FEWEST_POINTS]
     if len(seen) < 2:
-        found = f"on one line only ({seen[0]})" if seen else "on no line"
         raise NotComparable(
-            f"The validation plane {name} is seen {found}, with at least {FEWEST_POINTS} points; "
-            "a comparison needs two lines. Pick it in another line or choose another plane."
+            error("validation.plane_in_one_line", plane=name, line=seen[0], needed=FEWEST_POINTS)
+            if seen
+            else error("validation.plane_in_no_line", plane=name, needed=FEWEST_POINTS)
         )
     clouds = tuple({line: _thinned(state[line]) for line in seen} for state in (before, after))
     overlap = Overlap(*clouds)
@@ -175,10 +176,7 @@ def compare_plane(
             _Measured(distances[0], distances[1], height, ranged[0] if ranged else None)
         )
     if not pairs:
-        raise NotComparable(
-            f"No two lines overlap on the validation plane {name}, before and after, in at least "
-            f"{FEWEST_POINTS} points; choose a larger plane or pick it again."
-        )
+        raise NotComparable(error("validation.no_overlap", plane=name, needed=FEWEST_POINTS))
     progress(1.0, f"Compared {len(pairs)} pairs of lines on {name}")
 
     any_reciprocal = any(pair.reciprocal for pair in pairs)
@@ -247,27 +245,26 @@ def _check_same_points(
     InputError
     """
     if set(before) != set(after):
-        only = ", ".join(sorted(set(before) ^ set(after)))
-        raise InputError(
-            f"The validation plane {name} is not placed on the same lines before and after: "
-            f"{only} stands in one state only."
-        )
+        only = tuple(sorted(set(before) ^ set(after)))
+        raise InputError(error("validation.other_lines", plane=name, lines=only))
     for line in before:
-        for state, points in (("before", before[line]), ("after", after[line])):
+        for shape, not_finite, points in (
+            ("validation.shape_before", "validation.not_finite_before", before[line]),
+            ("validation.shape_after", "validation.not_finite_after", after[line]),
+        ):
             if points.ndim != 2 or points.shape[1] != 3:
-                raise InputError(
-                    f"The points of {name} on line {line} ({state}) must have the shape (n, 3), "
-                    f"and theirs is {points.shape}."
-                )
+                raise InputError(error(shape, plane=name, line=line, shape=str(points.shape)))
             if not np.isfinite(points).all():
-                raise InputError(
-                    f"The points of {name} on line {line} ({state}) hold coordinates that are "
-                    "not finite numbers."
-                )
+                raise InputError(error(not_finite, plane=name, line=line))
         if len(before[line]) != len(after[line]):
             raise InputError(
-                f"Line {line} has {len(before[line])} points on {name} before and "
-                f"{len(after[line])} after; both states must hold the same points."
+                error(
+                    "validation.other_points",
+                    line=line,
+                    plane=name,
+                    before=len(before[line]),
+                    after=len(after[line]),
+                )
             )
         if line not in headings:
-            raise InputError(f"The heading of line {line}, seen on {name}, is not given.")
+            raise InputError(error("validation.no_heading", line=line, plane=name))

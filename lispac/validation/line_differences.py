@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
 from lispac.geometry.knn import build_tree
+from lispac.messages import error
 from lispac.validation.place_widths import (
     WIDE,
     WIDEST,
@@ -104,20 +105,22 @@ def line_difference(
     wanted = diameters_at(build_tree(points), places, reach)
     near = np.flatnonzero(np.isfinite(wanted))
     if not len(near):
-        raise NotComparable(f"{one} and {other} have no place in common within {reach:g} m.")
+        raise NotComparable(
+            error("validation.no_place_in_common", line=one, other=other, reach=reach)
+        )
     own = np.minimum(WIDE * spacing(build_tree(surface), places[near]), WIDEST)
     chosen, wide = spread_out(places[near], np.maximum(wanted[near], own))
     cores = places[near][chosen]
     roughest = 3 * noise
     flat = flat_places(surface, cores, SMOOTH * wide, roughest)
     if not flat.any():
-        raise NotComparable(f"{one} and {other} share no flat place.")
+        raise NotComparable(error("validation.no_flat_place", line=one, other=other))
     cores, wide = cores[flat], wide[flat]
     try:
         found = on_surface(
             points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
             roughest=roughest,
         ).before  # fmt: skip
-    except NotComparable as error:  # its words are those of one line and a reference
-        raise NotComparable(f"{one} and {other} share no flat place.") from error
+    except NotComparable as reason:  # about one line and a reference
+        raise NotComparable(error("validation.no_flat_place", line=one, other=other)) from reason
     return LineDifference(one, other, found.cores, found.distance, found.half_width, found.normals)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.knn import local_planes
 from lispac.geometry.quadrics import heights_above, local_quadrics
+from lispac.messages import error
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -51,15 +52,17 @@ class LocalModel:
 
     def __post_init__(self) -> None:
         if self.kind not in FEWEST:
-            raise InputError(f"There is no local model {self.kind!r}; choose {', '.join(FEWEST)}.")
+            raise InputError(error("validation.unknown_model", kind=self.kind, kinds=tuple(FEWEST)))
         if self.radius is not None and not 0.0 < self.radius < np.inf:
-            raise InputError(
-                f"The radius of a local {self.kind} must be positive, and it is {self.radius} m."
-            )
+            raise InputError(error("validation.model_radius", kind=self.kind, radius=self.radius))
         if self.radius is None and self.neighbours < FEWEST[self.kind]:
             raise InputError(
-                f"A local {self.kind} needs at least {FEWEST[self.kind]} neighbours, and "
-                f"{self.neighbours} were asked for."
+                error(
+                    "validation.model_neighbours",
+                    kind=self.kind,
+                    needed=FEWEST[self.kind],
+                    count=self.neighbours,
+                )
             )
 
     @property

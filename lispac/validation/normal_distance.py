@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.knn import planes_of
 from lispac.geometry.neighbours import Cells, PointGrid, gather
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -113,13 +114,15 @@ def distances_along_normal(
     NotComparable
         No core point has a distance.
     """
-    for name, value in (
-        ("scale of the normals", normal_scale), ("diameter of the cylinder", diameter),
-        ("depth of the cylinder", depth),
-        ("depth of the cylinder", depth if reference_depth is None else reference_depth),
+    for code, value in (
+        ("validation.normal_scale", normal_scale), ("validation.cylinder_diameter", diameter),
+        ("validation.cylinder_depth", depth),
+        ("validation.cylinder_depth", depth if reference_depth is None else reference_depth),
     ):  # fmt: skip
-        if not (np.greater(value, 0.0) & np.less(value, np.inf)).all():
-            raise InputError(f"The {name} must be positive, and it is {value} m.")
+        values = np.asarray(value, dtype=np.float64)
+        wrong = values[~((values > 0.0) & (values < np.inf))]
+        if wrong.size:
+            raise InputError(error(code, value=float(wrong[0])))
     scales, diameters, depths, middles, own_depths = (
         np.ascontiguousarray(np.broadcast_to(np.asarray(each, dtype=np.float64), len(cores)))
         for each in (
@@ -128,7 +131,7 @@ def distances_along_normal(
         )
     )  # fmt: skip
     if not len(cores):
-        raise NotComparable("There is no place to measure a distance at.")
+        raise NotComparable(error("validation.no_places"))
     # A cell as wide as a query is read whole with few others.
     clouds = [
         PointGrid(points, max(float(diameters.max()), float(depths.max())) / 2).cells
@@ -143,9 +146,7 @@ def distances_along_normal(
     measured = (samples[:, :, 2] >= FEWEST).all(axis=1)
     if not measured.any():
         raise NotComparable(
-            f"No place has {FEWEST} points of both clouds within a cylinder of "
-            f"{diameters.max():.2f} m; "
-            "choose a wider one."
+            error("validation.cylinder_too_narrow", needed=FEWEST, diameter=float(diameters.max()))
         )
     distance, half_width = _differences(samples[measured])
     return NormalDistances(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
 from lispac.geometry.planes import fit_plane_resisting, in_plane_axes
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -75,7 +76,7 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
 
     both = (compared, reference)
     if min(map(len, both)) <= UNKNOWNS:
-        raise NotComparable("A plane with its confidence needs at least four points of each line.")
+        raise NotComparable(error("validation.plane_few_points"))
     # Apart before the calibration, the two would tilt a plane through all of them at once.
     middles = [np.median(points, axis=0) for points in both]
     centred = np.concatenate(
@@ -135,7 +136,7 @@ def _fit(placed: Array) -> _Fit:
     used = terms[kept]
     values, _, rank, _ = np.linalg.lstsq(used, z[kept], rcond=None)
     if rank < UNKNOWNS:
-        raise NotComparable("The points of a line lie in one row and make no plane.")
+        raise NotComparable(error("validation.points_in_row"))
     freedom = len(used) - UNKNOWNS
     variance = float(((z[kept] - used @ values) ** 2).sum()) / freedom
     variances = variance * np.diag(np.linalg.inv(used.T @ used))

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from lispac.errors import NotComparable
 from lispac.geometry.neighbours import Cells, PointGrid, gather
 from lispac.geometry.planes import in_plane_axes
+from lispac.messages import error
 from lispac.validation.layers import Layers, inside, nearest_layers, nearest_of
 from lispac.validation.normal_distance import (
     NMAD,
@@ -154,7 +155,7 @@ def on_surface(
     def measured(points: Array, middle: Array, half: Array) -> NormalDistances:
         seen = np.flatnonzero(np.isfinite(middle))
         if not len(seen):
-            raise NotComparable("The line has no surface within reach of the reference.")
+            raise NotComparable(error("validation.line_out_of_reach"))
         found = distances_along_normal(
             points, reference, cores[seen], facing=facing[seen],
             normal_scale=SMOOTH * diameters[seen], diameter=diameters[seen], depth=half[seen],
@@ -291,7 +292,7 @@ def _plane_of(
 def _of_planes(places: Array, found: list[tuple[float, float, Array] | None]) -> NormalDistances:
     at = np.array([k for k, each in enumerate(found) if each is not None], dtype=np.intp)
     if not len(at):
-        raise NotComparable("No surveyed point has a flat place of the line in front of it.")
+        raise NotComparable(error("validation.no_flat_point"))
     values = [each for each in found if each is not None]
     return NormalDistances(
         places[at],
@@ -315,6 +316,6 @@ def _common(
     """
     at = np.intersect1d(before.at, after.at)
     if not len(at):
-        raise NotComparable("No place of the reference is seen before and after the calibration.")
+        raise NotComparable(error("validation.no_place_in_both"))
     second = np.full(len(at), np.nan) if beyond is None else beyond[at]
     return Measured(before.only(at), after.only(at), second)

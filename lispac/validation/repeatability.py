@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -44,12 +45,9 @@ class Calibration:
     def __post_init__(self) -> None:
         shapes = np.shape(self.boresight), np.shape(self.covariance)
         if shapes != ((3,), (3, 3)) or not np.isfinite(self.covariance).all():
-            raise InputError(f"{self.name}: three angles and their covariance are needed.")
+            raise InputError(error("validation.repeatability_values", name=self.name))
         if np.linalg.eigvalsh(self.covariance)[0] <= 0.0:
-            raise InputError(
-                f"{self.name}: its covariance is not positive; a calibration without uncertainty "
-                "cannot be compared."
-            )
+            raise InputError(error("validation.repeatability_covariance", name=self.name))
 
     @property
     def sigma(self) -> Array:
@@ -162,7 +160,7 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
     from scipy.special import chdtrc
 
     if len(calibrations) < 2:
-        raise InputError("Repeatability needs at least two calibrations of the same mounting.")
+        raise InputError(error("validation.repeatability_few"))
     together, angles = mean_of(calibrations), _near(calibrations)
     off = angles - together.boresight
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
 from lispac.foreign_values import Shape
+from lispac.messages import error
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.normal_distance import NMAD, NormalDistances
@@ -57,7 +58,7 @@ class DistanceStatistics:
         """
         values = np.abs(np.asarray(distances, dtype=np.float64))
         if values.size == 0 or not np.isfinite(values).all():
-            raise InputError("Statistics need at least one distance and only finite ones.")
+            raise InputError(error("validation.no_distances"))
         median, p68, p95, p99 = np.percentile(values, (50.0, 68.0, 95.0, 99.0))
         robust = NMAD * float(np.median(np.abs(values - median)))
         return cls(

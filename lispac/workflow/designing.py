@@ -18,6 +18,7 @@ from lispac.design.site import Site, least_off, overlapping
 from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
+from lispac.message_texts import message_text
 from lispac.progress import Progress, no_progress
 
 ONE_WAY = (
@@ -35,7 +36,7 @@ def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]
         if faces_one_way(plan):
             return (ONE_WAY,)
         if not predict(plan).determined:
-            return (UNDETERMINED,)
+            return (message_text(UNDETERMINED),)
         with one_thread():
             return observability(foretold(plan), progress=progress).sentences
     except RankDeficient as error:

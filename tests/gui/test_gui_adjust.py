@@ -321,7 +321,7 @@ def test_a_single_board_is_refused_until_that_is_accepted(
     settle(driver)
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
-    assert "T1 is the only target, a plane" in refusal.text()
+    assert "T1 is the only target and a plane" in refusal.text()
     model = driver.window.adjust.model
     assert f'"{model.one_facing.text()}" under {driver.window.adjust.advanced.head.text()}' in (
         refusal.text()

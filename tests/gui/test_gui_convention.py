@@ -153,7 +153,7 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
         qtbot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
     assert current.matrix.isVisible()
     assert not current.fields.isVisible()
-    assert "0 numbers are no 3x3" in panel.assumption.text()
+    assert "0 numbers do not make a 3x3" in panel.assumption.text()
     turn = Rotation.from_euler("ZYX", [-3, 1.0, 0.1], degrees=True).as_matrix()
     qtbot.mouseClick(current.matrix.viewport(), Left)
     qtbot.keyClicks(current.matrix, "; ".join(" ".join(f"{v:.10f}" for v in row) for row in turn))

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
 Axes = tuple[str, str, str]
@@ -44,12 +45,10 @@ def axes_matrix(axes: Axes) -> Array:
     """
     for word in axes:
         if word not in _DIRECTIONS:
-            raise InputError(f"{word} is not a direction on a vessel; use {', '.join(DIRECTIONS)}.")
+            raise InputError(error("survey.unknown_direction", word=word, directions=DIRECTIONS))
     matrix = np.array([_DIRECTIONS[word] for word in axes], dtype=float)
     if abs(np.linalg.det(matrix)) < 0.5:
-        raise InputError(
-            f"The axes {', '.join(axes)} do not span space; give three different lines."
-        )
+        raise InputError(error("survey.axes_not_spanning", axes=axes))
     return matrix
 
 
@@ -93,7 +92,22 @@ def completed_axes(x: str, y: str) -> Axes:
     for z in DIRECTIONS:
         if np.array_equal(_DIRECTIONS[z], across):
             return x, y, z
-    raise InputError(f"X {x} and Y {y} lie on one line; give two different lines.")
+    raise InputError(error("survey.axes_on_one_line", x=direction(x), y=direction(y)))
+
+
+DIRECTION_CODES = {
+    "forward": "survey.direction_forward",
+    "aft": "survey.direction_aft",
+    "port": "survey.direction_port",
+    "starboard": "survey.direction_starboard",
+    "up": "survey.direction_up",
+    "down": "survey.direction_down",
+}
+
+
+def direction(word: str) -> Message:
+    """A direction on the vessel as part of a message."""
+    return note(DIRECTION_CODES[word])
 
 
 def in_words(axes: Sequence[str]) -> str:

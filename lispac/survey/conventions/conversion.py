@@ -6,10 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey.conventions.axes import (
     FORWARD_PORT_UP,
     Axes,
     axes_matrix,
+    direction,
     in_words,
     nearest_axes,
 )
@@ -90,10 +92,9 @@ class Setup:
         if self.scanner_frame == "turned":
             return self.permutation
         if np.linalg.det(self.permutation) < 0:
+            x, y, z = map(direction, self.axes)
             raise InputError(
-                f"{self.convention.name}: the body axes {in_words(self.axes)} are left-handed, so "
-                "no rotation leads there from scanner axes that stay as they are; let the "
-                "scanner's axes be turned with the body's."
+                error("survey.axes_left_handed", system=self.convention.name, x=x, y=y, z=z)
             )
         if self.scanner_frame == "kept":
             return np.eye(3)
@@ -297,9 +298,7 @@ def require_angles(convention: Convention) -> None:
     InputError
     """
     if not convention.has_angles:
-        raise InputError(
-            f"{convention.name} is not offered as angles, only as a matrix; give or take that."
-        )
+        raise InputError(error("survey.matrix_only", system=convention.name))
 
 
 def require_rotation(matrix: Array) -> Array:
@@ -317,18 +316,12 @@ def require_rotation(matrix: Array) -> Array:
         Where it mirrors, or is not orthogonal to its sixth decimal.
     """
     if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
-        raise InputError("A rotation needs three rows of three numbers; correct the matrix.")
+        raise InputError(error("survey.matrix_shape"))
     off = float(np.abs(matrix @ matrix.T - np.eye(3)).max())
     if off > ORTHOGONAL:
-        raise InputError(
-            f"The matrix is not a rotation: its rows are off by {off:.1g} from being orthogonal "
-            "and of length one; give six decimals or more, and no scale."
-        )
+        raise InputError(error("survey.not_a_rotation", deviation=off))
     if np.linalg.det(matrix) < 0:
-        raise InputError(
-            "The matrix mirrors (determinant -1) instead of rotating: one axis has the wrong "
-            "sign; check the directions of the axes."
-        )
+        raise InputError(error("survey.matrix_mirrors"))
     left, _, right = np.linalg.svd(matrix)
     return left @ right
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey.conventions.axes import FORWARD_PORT_UP, Axes
 
 Status = Literal["verified", "partly", "unverified"]
@@ -316,5 +317,5 @@ def system(key: str) -> Convention:
     for each in SYSTEMS:
         if each.key == key.lower():
             return each
-    known = ", ".join(each.key for each in SYSTEMS)
-    raise InputError(f"There is no system named {key}; choose one of {known}.")
+    known = tuple(each.key for each in SYSTEMS)
+    raise InputError(error("survey.unknown_program", name=key, names=known))

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.survey.conventions.conversion import Setup, require_rotation
 
 Array = NDArray[np.float64]
@@ -32,22 +33,24 @@ def matrix_of_text(text: str, where: str) -> tuple[Array, Array | None]:
     for mark in ",;[]()":
         words = words.replace(mark, " ")
     words = words.replace("−", "-")
-    try:
-        numbers = np.array([float(word) for word in words.split()])
-    except ValueError as error:
-        raise InputError(f"{where}: {error}; give a matrix of 3x3 or 4x4 numbers.") from None
+    numbers = np.array([_number(word, where) for word in words.split()])
     if numbers.size not in (9, 16):
-        raise InputError(f"{where}: {numbers.size} numbers are no 3x3 or 4x4 matrix; give 9 or 16.")
+        raise InputError(error("survey.matrix_count", where=where, count=numbers.size))
     if numbers.size == 9:
         return require_rotation(numbers.reshape(3, 3)), None
     matrix = numbers.reshape(4, 4)
     if not np.array_equal(matrix[3], [0, 0, 0, 1]):
-        raise InputError(
-            f"{where}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns."
-        )
+        raise InputError(error("survey.matrix_last_row", where=where))
     if not np.isfinite(matrix).all():
-        raise InputError(f"{where}: a number of the lever arm is not finite; correct it.")
+        raise InputError(error("survey.lever_arm_not_finite", where=where))
     return require_rotation(matrix[:3, :3]), matrix[:3, 3]
+
+
+def _number(word: str, where: str) -> float:
+    try:
+        return float(word)
+    except ValueError:
+        raise InputError(error("survey.matrix_not_numbers", where=where, word=word)) from None
 
 
 def product_of_matrix(setup: Setup, rotation: Array) -> Array:

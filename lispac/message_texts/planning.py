@@ -1,0 +1,56 @@
+"""Texts of messages about survey design and simulation."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- simulated surveys -------------------------------------------------------------------------
+    "simulation.latency": N_(
+        "With a latency of {latency:s} s the lines extend beyond the trajectory. Give a smaller "
+        "latency, or let the vessel wait longer (wait_s)."
+    ),
+    "simulation.line_outside": N_(
+        "Line {number:n} is recorded from {start:s.3} to {stop:s.3} s, where the trajectory "
+        "({first:s.3} to {last:s.3} s) has no states or a gap. Give start_s and stop_s within it, "
+        "in its own time."
+    ),
+    # -- survey design -----------------------------------------------------------------------------
+    "design.undetermined": N_(
+        "This plan does not determine the boresight. Add lines in other directions."
+    ),
+    "design.no_sightings": N_(
+        "No line sees a target: the targets face away, are seen too obliquely or are too far. Plan "
+        "lines on the side that the targets face, within the range of the scanner."
+    ),
+    "design.own_flatness": N_(
+        "The adjustment accepts one flatness for all targets, but some targets of this plan have "
+        "their own. Let the flatness be estimated from the data."
+    ),
+    "design.none_adjusted": N_(
+        "None of the simulated surveys could be adjusted. Add lines or targets."
+    ),
+    "design.no_plan": N_(
+        "No plan within these limits determines the boresight. Plans with overlapping boards, "
+        "lines too close to the wall or targets that all face one way are excluded. Allow more "
+        "lines, other headings, or two boards with different tilts."
+    ),
+    "design.site_too_small": N_(
+        "A site needs at least two lines, and a board or an existing plane. Raise the limits."
+    ),
+    "design.no_board_places": N_(
+        "Positions, heights, tilts or sizes of the boards are missing. Give at least one of each."
+    ),
+    "design.too_long": N_(
+        "{lines:n} lines of {minutes_per_line:x.1} minutes and {boards:n} boards of "
+        "{minutes_per_board:x.1} minutes take {needed:x.1} minutes, longer than the "
+        "{available:x.1} minutes on site. Allow fewer, or more time."
+    ),
+    "design.lines_too_close": N_(
+        "No heading and distance keep {closest:m} m from the wall. Allow others."
+    ),
+    "design.steps": N_(
+        "From {low:x} to {high:x} in steps of {step:x}: the step must be above zero, and the "
+        "second value not less than the first. Correct them."
+    ),
+}

@@ -1,0 +1,148 @@
+"""Texts of messages about targets and the search for them."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Plural, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- planes and spheres through points ---------------------------------------------------------
+    "target.plane_few_points": N_(
+        "A plane needs at least three points (number of points: {count:n})."
+    ),
+    "target.plane_not_finite": N_("A plane cannot be fitted: some points have no coordinates."),
+    "target.plane_on_line": N_("The points lie on one straight line and do not determine a plane."),
+    "target.sphere_radius": N_(
+        "A sphere cannot have a radius of {radius:m} m. Give a length above zero."
+    ),
+    "target.sphere_few_points": N_(
+        "A sphere needs at least four points (number of points: {count:n})."
+    ),
+    "target.sphere_not_finite": N_("A sphere cannot be fitted: some points have no coordinates."),
+    "target.sphere_in_plane": N_("The points lie in one plane and do not determine a sphere."),
+    "target.sphere_little_curved": N_(
+        "The points show too little curvature for their noise to determine the radius of a sphere. "
+        "Give the radius, or select more of the surface."
+    ),
+    "target.sphere_small_part": N_(
+        "The points cover too small a part of a sphere of this radius to determine its centre. "
+        "Select more of the surface."
+    ),
+    "target.sphere_side": N_(
+        "The points are too flat to determine on which side of them the centre of the sphere lies. "
+        "Select more of the surface."
+    ),
+    # -- measuring and display ---------------------------------------------------------------------
+    "target.angle_same_points": N_(
+        "Two of the points are the same. An angle needs three different points."
+    ),
+    "target.section_vertical": N_(
+        "The two points lie above each other, so the section has no direction. Choose points that "
+        "are apart horizontally."
+    ),
+    "target.point_spacing": N_("The point spacing must be a finite number of metres. Correct it."),
+    # -- settings of the search --------------------------------------------------------------------
+    "finder.setting": N_(
+        "The search for planes cannot use {name} = {value}. Correct this setting."
+    ),
+    "finder.expected_size": N_("The expected width and height must be above zero. Correct them."),
+    "finder.expected_tilt": N_("The expected tilt must be from 0 to 90 deg. Correct it."),
+    "finder.radii": N_(
+        "A sphere cannot be searched for with radii from {least:m} to {most:m} m. Give two lengths "
+        "above zero, the smaller one first."
+    ),
+    "finder.seed": N_("The seed must be three finite numbers: north, west and up, in metres."),
+    # -- search in one line ------------------------------------------------------------------------
+    "finder.place": N_("({north:m.2}; {west:m.2}; {up:m.2})"),
+    "finder.few_points": Plural(
+        "Only {count:n} point lies within {radius:m} m of {place}, and a target needs {needed:n}. "
+        "Move the seed, or increase the search radius.",
+        "Only {count:n} points lie within {radius:m} m of {place}, and a target needs {needed:n}. "
+        "Move the seed, or increase the search radius.",
+    ),
+    "finder.no_points": N_(
+        "No points lie within {radius:m} m of {place}. The nearest is {distance:m.2} m away. Move "
+        "the seed, or increase the search radius."
+    ),
+    "finder.line_without_points": N_(
+        "The line has no points, and so none within {radius:m} m of {place}."
+    ),
+    "finder.no_plane": N_("No plane fits the points around {place} within {threshold:mm} mm."),
+    "finder.plane_few_points": Plural(
+        "The flat patch around {place} has only {count:n} point, and a target needs {needed:n}. "
+        "Try a threshold above {threshold:mm} mm.",
+        "The flat patch around {place} has only {count:n} points, and a target needs {needed:n}. "
+        "Try a threshold above {threshold:mm} mm.",
+    ),
+    "finder.other_tilt": N_("The plane around {place} has another orientation than expected."),
+    "finder.sphere_of_radius": N_("sphere of radius {radius:m.3} m"),
+    "finder.sphere_of_radii": N_("sphere with a radius from {least:m.3} to {most:m.3} m"),
+    "finder.sphere_few_nearby": Plural(
+        "Only {count:n} point lies within {radius:m} m of {place}, where a {sphere} would be, and "
+        "a target needs {needed:n}. Set the seed on the sphere.",
+        "Only {count:n} points lie within {radius:m} m of {place}, where a {sphere} would be, and "
+        "a target needs {needed:n}. Set the seed on the sphere.",
+    ),
+    "finder.no_sphere": N_("No {sphere} fits the points around {place} within {threshold:mm} mm."),
+    "finder.sphere_few_points": Plural(
+        "The sphere around {place} has only {count:n} point, and a target needs {needed:n}. Try a "
+        "threshold above {threshold:mm} mm.",
+        "The sphere around {place} has only {count:n} points, and a target needs {needed:n}. Try a "
+        "threshold above {threshold:mm} mm.",
+    ),
+    "finder.sphere_other_radius": N_(
+        "The surface around {place} is round with a radius of {radius:m.3} m, but the search is "
+        "for a {sphere}."
+    ),
+    "finder.sphere_far": N_(
+        "The nearest sphere lies {distance:m.2} m from {place}. Set the seed on the sphere."
+    ),
+    "finder.sphere_continues": Plural(
+        "A {sphere} around {place} touches {count:n} point, but the surface continues beside it "
+        "with {beside:n} more. It is not a sphere, has another radius, or is noisier than the "
+        "threshold allows.",
+        "A {sphere} around {place} touches {count:n} points, but the surface continues beside it "
+        "with {beside:n} more. It is not a sphere, has another radius, or is noisier than the "
+        "threshold allows.",
+    ),
+    "finder.sphere_small_part": N_(
+        "The points around {place} cover only {share:percent.0} % of a sphere's surface. A target "
+        "needs at least {needed:percent.0} %."
+    ),
+    "finder.sphere_flat": N_("The surface around {place} is flat rather than a sphere."),
+    # -- search in all lines -----------------------------------------------------------------------
+    "finder.unknown_line": N_("There is no line named {line}."),
+    "finder.no_line_for_plane": N_("There is no line to search for a plane."),
+    "finder.no_line_for_sphere": N_("There is no line to search for a sphere."),
+    "finder.no_plane_in_lines": N_(
+        "No line has a plane at the seed. In the nearest line, {line}: {reason}"
+    ),
+    "finder.no_sphere_in_lines": N_(
+        "No line has a sphere at the seed. In the nearest line, {line}: {reason}"
+    ),
+    "finder.line_few_points": Plural(
+        "The line has only {count:n} point within {radius:m} m of the seed.",
+        "The line has only {count:n} points within {radius:m} m of the seed.",
+    ),
+    "finder.line_no_points": N_("The line has no points within {radius:m} m of the seed."),
+    "finder.not_alike": N_("Nothing in this line resembles the target and its surroundings."),
+    "finder.too_few_where_expected": N_(
+        "The line has too few points at the predicted position of the target."
+    ),
+    "finder.small_part": N_(
+        "The plane found covers only {share:percent.0} % of the target's outline."
+    ),
+    "finder.too_large": N_("The plane found is {ratio:x.1} times as large as the target."),
+    "finder.crossing": N_("The points found belong to a surface that crosses the target."),
+    "finder.two_planes": N_(
+        "Two planes {distance:m.2} m apart resemble the target equally. Set a separate seed for "
+        "this line."
+    ),
+    "finder.two_spheres": N_(
+        "Two spheres {distance:m.2} m apart resemble the target equally. Set a separate seed for "
+        "this line."
+    ),
+    "finder.radius_differs": N_(
+        "The sphere found has a radius of {radius:m.3} m, but in the line of the seed the radius "
+        "is {expected:m.3} m."
+    ),
+}

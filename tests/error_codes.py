@@ -1,0 +1,18 @@
+"""Checks of errors by the code and the parameters of their message."""
+
+from collections.abc import Callable
+from typing import Any
+
+from lispac.errors import LispacError
+
+
+def has_code(code: str, **params: Any) -> Callable[[BaseException], bool]:
+    """A check for `pytest.raises`: the error has this code, and these among its parameters."""
+
+    def check(error: BaseException) -> bool:
+        assert isinstance(error, LispacError)
+        held = error.message.params if error.message is not None else {}
+        assert (error.code, {name: held.get(name) for name in params}) == (code, params), error
+        return True
+
+    return check
