@@ -116,9 +116,7 @@ def scans_of(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     """
     nodes = image.root()["data3D"]
     for counted, held in surplus(path, [nodes[k]["points"] for k in range(len(nodes))]):
-        raise InputError(
-            error("e57.points_not_counted", file=str(path), header=counted, held=held)
-        )
+        raise InputError(error("e57.points_not_counted", file=str(path), header=counted, held=held))
     scans = [_scan(nodes[k], path, timed) for k in range(len(nodes))]
     scans = [scan for scan in scans if scan.count]
     if not scans:
@@ -216,9 +214,7 @@ def stored_points(
             require_points(xyz[valid], some["timeStamp"], path, before + done - len(valid))
         yield dict(zip("xyz", xyz[valid].T, strict=True)) | some
     if done != scan.count:
-        raise InputError(
-            error("e57.points_missing", file=str(path), header=scan.count, held=done)
-        )
+        raise InputError(error("e57.points_missing", file=str(path), header=scan.count, held=done))
 
 
 def _columns(

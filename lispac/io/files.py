@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.packed import require_unpacked
 from lispac.locks import is_locked, try_lock
-from lispac.messages import Message, Value, error, note
+from lispac.messages import Message, error, note
 from lispac.survey.time_quality import time_quality
 
 KINDS: Mapping[str, Message] = {
@@ -187,13 +187,21 @@ def require_increasing(
         raise InputError(
             error("file.time_steps_record", file=file, kind=kind, record=k + 1, step=step)
         )
-    found: dict[str, Value] = {
-        "file": file, "before": float(time[k - 1]), "after": float(time[k]), "total": len(time),
-        "repeated": quality.duplicates, "backward": quality.backward,
-    }  # fmt: skip
+    before, after, total = float(time[k - 1]), float(time[k]), len(time)
+    repeated, backward = quality.duplicates, quality.backward
     if row is not None:
-        raise InputError(error("file.time_order_row", row=row, **found))
-    raise InputError(error("file.time_order_record", kind=kind, record=k + 1, **found))
+        raise InputError(
+            error(
+                "file.time_order_row", file=file, row=row, before=before, after=after, total=total,
+                repeated=repeated, backward=backward,
+            )
+        )  # fmt: skip
+    raise InputError(
+        error(
+            "file.time_order_record", file=file, kind=kind, record=k + 1, before=before,
+            after=after, total=total, repeated=repeated, backward=backward,
+        )
+    )  # fmt: skip
 
 
 def without_path(sentence: str, path: Path) -> str:

@@ -206,9 +206,7 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
             yield PointChunk(xyz * scale if scale != 1 else xyz, time, extra, header.point_count)
         if done != header.point_count:
             raise InputError(
-                error(
-                    "file.points_missing", file=str(path), header=header.point_count, held=done
-                )
+                error("file.points_missing", file=str(path), header=header.point_count, held=done)
             )
 
 
@@ -269,9 +267,7 @@ def opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
     header.point_count = counts.held
     if timed and "gps_time" not in set(header.point_format.dimension_names):
         reader.close()
-        raise InputError(
-            error("las.no_gps_time", file=str(path), format=header.point_format.id)
-        )
+        raise InputError(error("las.no_gps_time", file=str(path), format=header.point_format.id))
     if header.point_count == 0:
         reader.close()
         raise InputError(error("file.no_points", file=str(path)))

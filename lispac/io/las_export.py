@@ -83,7 +83,7 @@ def write_header_alone(path: Path, to: Path) -> None:
     ------
     InputError
         Where the file cannot be read.
-    """
+    """  # noqa: DOC501 - `damaged` makes an InputError
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
@@ -118,7 +118,7 @@ def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
     ------
     InputError
         Where the file cannot be read.
-    """
+    """  # noqa: DOC501 - `damaged` makes an InputError
     path = Path(path)
     try:
         require_sound_header(path)

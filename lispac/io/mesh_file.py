@@ -172,9 +172,7 @@ def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
         except ValueError:
             file, text = str(path), line.strip()[:40]
             if kind == "v":
-                raise InputError(
-                    error("mesh.vertex", file=file, row=number, text=text)
-                ) from None
+                raise InputError(error("mesh.vertex", file=file, row=number, text=text)) from None
             raise InputError(error("mesh.face", file=file, row=number, text=text)) from None
     return np.array(vertices).reshape(-1, 3), np.array(triangles, dtype=np.int64).reshape(-1, 3)
 

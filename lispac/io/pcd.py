@@ -109,9 +109,7 @@ def _header(path: Path) -> tuple[Records, str]:
             entries[words[0].upper()] = words[1:]
         start = end
     if missing := [name for name in NEEDED if not entries.get(name)]:
-        raise InputError(
-            error("pcd.header_incomplete", file=str(path), entries=tuple(missing))
-        )
+        raise InputError(error("pcd.header_incomplete", file=str(path), entries=tuple(missing)))
     kind = entries["DATA"][0].lower()
     if kind not in ("ascii", "binary", "binary_compressed"):
         raise InputError(error("pcd.data_kind", file=str(path), kind=kind[:20]))

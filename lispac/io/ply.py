@@ -135,13 +135,19 @@ def _dtype(
 ) -> np.dtype[Any]:
     fields: dict[str, str] = {}
     for name, kind in properties:
-        place = {"file": str(path), "element": element}
+        file = str(path)
         if not kind:
-            raise InputError(error("ply.property_without_type", property=name, **place))
+            raise InputError(
+                error("ply.property_without_type", file=file, element=element, property=name)
+            )
         if kind not in TYPES:
-            raise InputError(error("ply.property_type", property=name, type=kind, **place))
+            raise InputError(
+                error("ply.property_type", file=file, element=element, property=name, type=kind)
+            )
         if name in fields:
-            raise InputError(error("ply.duplicate_property", property=name, **place))
+            raise InputError(
+                error("ply.duplicate_property", file=file, element=element, property=name)
+            )
         fields[name] = order + TYPES[kind]
     if not fields:
         raise InputError(error("ply.no_properties", file=str(path), element=element))

@@ -170,9 +170,7 @@ def plainly(path: Path, what: str) -> Iterator[None]:
 def damaged(path: Path, what: str, failure: Exception) -> InputError:
     """Make the error of a file that a decoder cannot read; ``what`` names its format."""
     reason = " ".join(str(failure).split())[:120] or type(failure).__name__
-    return InputError(
-        error("file.damaged", file=str(path), kind=kind_of_file(what), reason=reason)
-    )
+    return InputError(error("file.damaged", file=str(path), kind=kind_of_file(what), reason=reason))
 
 
 def sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
@@ -254,9 +252,7 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
         if bad > MOST_UNUSABLE * len(good):
             point, file = first + int(np.argmin(good)) + 1, str(path)
             if len(good) > FEW:
-                raise InputError(
-                    error("file.points_byte_order", file=file, point=point, count=bad)
-                )
+                raise InputError(error("file.points_byte_order", file=file, point=point, count=bad))
             raise InputError(error("file.points_not_usable", file=file, point=point, count=bad))
         time = time[good]
     step = coarseness(time)

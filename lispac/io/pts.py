@@ -57,9 +57,7 @@ def places(path: Path) -> Iterator[Array]:
             block = list(islice(rows, min(CHUNK, count - done)))
             if not block:
                 raise InputError(
-                    error(
-                        "pts.points_missing", file=str(path), held=done, points=count, head=head
-                    )
+                    error("pts.points_missing", file=str(path), held=done, points=count, head=head)
                 )
             width = width or max(3, len(block[0][1].split()))
             _require_no_count(path, block, head, count, done)
@@ -158,9 +156,7 @@ def _require_no_count(path: Path, block: list[Row], head: int, count: int, done:
     for k, (row, text) in enumerate(block, start=done):
         if _COUNT.fullmatch(text):
             raise InputError(
-                error(
-                    "pts.early_count", file=str(path), row=row, held=k, points=count, head=head
-                )
+                error("pts.early_count", file=str(path), row=row, held=k, points=count, head=head)
             )
 
 

@@ -222,7 +222,9 @@ TEXTS: Mapping[str, Template] = {
     "pcd.header_incomplete": N_(
         "{file}: the PCD header has no {entries:names}, so it is damaged. Export the file again."
     ),
-    "pcd.header_damaged": N_("{file}: the PCD header is damaged ({reason}). Export the file again."),
+    "pcd.header_damaged": N_(
+        "{file}: the PCD header is damaged ({reason}). Export the file again."
+    ),
     "pcd.data_kind": N_(
         "{file}: the PCD data type {kind} is not known. Export the file as ascii, binary or "
         "binary_compressed."

@@ -10,9 +10,7 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: this is a link to another folder, in which nothing is written or deleted. "
         "Replace it by a folder, or save the project elsewhere."
     ),
-    "store.locked": N_(
-        "{folder}: another import of this line is running. Wait for it or stop it."
-    ),
+    "store.locked": N_("{folder}: another import of this line is running. Wait for it or stop it."),
     "store.no_points": N_("{file}: this file contains no usable points. Exclude the line."),
     "store.too_many_points": N_(
         "{file}: a line cannot have more than {limit:n} points. Split the file."
@@ -34,16 +32,16 @@ TEXTS: Mapping[str, Template] = {
         "the line again."
     ),
     "store.disk_full_size": N_(
-        "{folder}: the disk is full. The import needs about {size:mb.0} MB. Make room or move the "
+        "{folder}: the disk is full. The import needs about {size:mb} MB. Make room or move the "
         "project to a larger disk, then import the line again."
     ),
     "store.file_too_large": N_(
-        "{folder}: the files of this line are too large for this file system. Move the project to "
-        "a disk that allows large files, then import the line again."
+        "{folder}: the files of this line are larger than allowed here. Move the project to a disk "
+        "that allows large files, then import the line again."
     ),
     "store.file_too_large_size": N_(
-        "{folder}: the files of this line (about {size:mb.0} MB) are too large for this file "
-        "system. Move the project to a disk that allows large files, then import the line again."
+        "{folder}: the files of this line are larger than allowed here (about {size:mb} MB). Move "
+        "the project to a disk that allows large files, then import the line again."
     ),
     "store.not_read_back": N_(
         "{folder}: data written by the import cannot be read back ({reason}). Check the disk, then "

@@ -17,6 +17,8 @@ from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
 from lispac.io.values import encoded
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
@@ -186,6 +188,10 @@ def header_is_damaged(stored: StoredLine) -> bool:
 
 def _without_remedy(error: ProjectError) -> str:
     """What was wrong, where it is mended already."""
+    if error.message is not None and error.code == "store.import_again":
+        reason = error.message.params["reason"]
+        if isinstance(reason, Message):
+            return message_text(reason)
     return re.sub(r"; import (it|the line) again\.$", "", str(error))
 
 
