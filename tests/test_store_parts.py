@@ -172,9 +172,7 @@ def test_a_block_cut_short_on_the_disk_is_not_taken_for_whole(tmp_path: Path) ->
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, line.pieces(1000), cutting)
-    assert refused.value.message == error(
-        "store.block_cut_short", folder=str(tmp_path), block=2
-    )
+    assert refused.value.message == error("store.block_cut_short", folder=str(tmp_path), block=2)
     assert len(stored(tmp_path, line)) == 4000
 
 
