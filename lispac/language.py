@@ -21,6 +21,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from datetime import date, datetime
+from decimal import Decimal
 from functools import lru_cache
 from math import degrees, floor, isfinite, log10
 from pathlib import Path
@@ -36,6 +37,8 @@ _SCALES: Mapping[str, float] = {
     "x": 1.0, "mb": 1e-6,
 }  # fmt: skip
 _SIGNIFICANT = 3
+_SMALLEST, _LARGEST = 1e-9, 1e15
+"""Absolute values of numbers that are written without an exponent."""
 MAX_REMEMBERED = 20_000
 _translated: dict[str, None] = {}
 
@@ -136,8 +139,12 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     """A number as the language writes it; three significant digits by default."""
     from babel.numbers import format_decimal
 
-    if not isfinite(value):
+    value = value if isinstance(value, int) else float(value)
+    if isinstance(value, float) and not isfinite(value):
         return f"{value:+g}" if sign else f"{value:g}"
+    # Damaged files have numbers that nobody writes in full, and Babel has 28 digits.
+    if abs(value) >= _LARGEST or (decimals is None and 0 < abs(value) < _SMALLEST):
+        return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT}g}"
     if decimals is None:
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"

@@ -166,4 +166,4 @@ def test_times_of_a_line_without_a_valid_point(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=files.COUNT)
     with pytest.raises(InputError) as refused:
         line_times.line_times(path, format_of("e57"), {})
-    assert refused.value.message == error("file.no_points", file=str(path))
+    assert str(refused.value) == f"{path}: this line holds no points; leave it out."

@@ -53,6 +53,19 @@ def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> Non
         )
 
 
+@pytest.mark.parametrize(
+    ("value", "spec", "shown"),
+    [
+        (1e300, "s.6", "1.00e+300"), (-1e300, "m+", "-1.00e+300"), (10**400, "n", "1.00e+400"),
+        (2.5e-12, "x", "2.50e-12"), (2.5e-12, "x.3", "0.000"), (0.0, "x", "0"),
+        (123_456_789_012_345, "n", "123,456,789,012,345"), (float("nan"), "s", "nan"),
+        (float("inf"), "s+", "+inf"),
+    ],
+)  # fmt: skip
+def test_numbers_of_any_size_are_shown(value: float, spec: str, shown: str) -> None:
+    assert text_of(f"{{value:{spec}}}", {"value": value}) == shown
+
+
 def test_a_count_chooses_singular_or_plural_by_the_rules_of_the_language() -> None:
     text = Plural("{count:n} point", "{count:n} points")
     shown = [text_of(text, {"count": count}) for count in (0, 1, 2)]

@@ -174,7 +174,7 @@ SBET_MATRIX = {
     "height": (put(9, 3, 1e7), "record 10: a height of 1e"),
     "other time base": (put(slice(None), 0, 4e8 + np.arange(200)), "choose gps-adjusted"),
     "no time base": (put(slice(None), 0, 1e15 + np.arange(200)), "no known time base"),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("case", SBET_MATRIX)

@@ -43,6 +43,15 @@ def import_again(reason: Message) -> Message:
     return error("store.import_again", reason=reason)
 
 
+def damage_of(failure: ProjectError) -> Message | str:
+    """What is wrong with an imported line, without the request to import it again."""
+    if failure.message is not None and failure.code == "store.import_again":
+        reason = failure.message.params["reason"]
+        assert isinstance(reason, Message)
+        return reason
+    return failure.reason
+
+
 def is_link(path: Path) -> bool:
     """Whether a path is a symbolic link or, on Windows, a junction."""
     try:
