@@ -14,6 +14,31 @@ LARGEST_INTEGER = 2**63
 """NumPy and the files of the program count with 64 bits."""
 
 
+class Shape:
+    """Shape of an array, in its annotation: ``Annotated[Array, Shape("k", 3)]``.
+
+    Equal letters of one object are equal numbers; ``"k+1"`` is one more than ``"k"``. Readers of
+    project files refuse arrays of another shape.
+    """
+
+    def __init__(self, *dimensions: int | str) -> None:
+        self.dimensions = dimensions
+
+    def fits(self, shape: tuple[int, ...], known: dict[str, int]) -> bool:
+        """Whether an array may have a shape; letters that are not ``known`` yet become so."""
+        if len(shape) != len(self.dimensions):
+            return False
+        for size, dimension in zip(shape, self.dimensions, strict=True):
+            if isinstance(dimension, str):
+                letter, _, more = dimension.partition("+")
+                found = known.setdefault(letter, size - int(more or 0))
+                if found + int(more or 0) != size:
+                    return False
+            elif size != dimension:
+                return False
+        return True
+
+
 class Unfit(ValueError):
     """What was read cannot be used, in words for those who know the file and not the code."""
 

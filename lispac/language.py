@@ -114,17 +114,21 @@ def gettext(template: Template, /, **params: Any) -> str:
 
 def text_of(template: Template, params: Mapping[str, Any]) -> str:
     """As `gettext`, with the parameters in a mapping."""
-    catalogue = _catalogue(current_language())
-    if isinstance(template, Plural):
-        text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
-    else:
-        text = catalogue.gettext(template) if template else ""
+    text = raw_text(template, params)
     text = _FORMATTER.vformat(text, (), params) if params else text
     if current_language() != "en":
         _translated[text] = None
         if len(_translated) > MAX_REMEMBERED:
             del _translated[next(iter(_translated))]
     return text
+
+
+def raw_text(template: Template, params: Mapping[str, Any]) -> str:
+    """The translation of a text with its placeholders; ``count`` chooses the plural."""
+    catalogue = _catalogue(current_language())
+    if isinstance(template, Plural):
+        return catalogue.ngettext(template.singular, template.plural, int(params["count"]))
+    return catalogue.gettext(template) if template else ""
 
 
 def is_translated(text: str) -> bool:

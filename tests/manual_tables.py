@@ -5,12 +5,14 @@
 needed.
 """
 
+import ast
 import os
 import re
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import cast
 
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -42,9 +44,11 @@ from lispac.gui.viewing_actions import KEYS, Menu
 from lispac.installed import resource
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
-from lispac.language import LANGUAGES
+from lispac.language import LANGUAGES, Template, in_language, raw_text
+from lispac.message_texts import TOPICS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.manual_samples import assumed, samples
+from tests.message_calls import calls
 
 WORDS = {
     "en": ("Field", "Unit, range, choices", "What it is", "{} to {}", "Option", "Choices", "usual"),
@@ -64,6 +68,10 @@ ASSUMED = {
 PROGRAMS = {
     "en": ("X, Y, Z:", "Angles:", "Product:", "Status:", "Source:", "Assumed:"),
     "fr": ("X, Y, Z :", "Angles :", "Produit :", "État :", "Source :", "Supposé :"),
+}
+MESSAGES = {
+    "en": ("Code", "Level", "English", "French"),
+    "fr": ("Code", "Niveau", "Anglais", "Français"),
 }
 PANELS: dict[str, Callable[[], QWidget]] = {
     "data": DataPanel, "targets": TargetsPanel, "adjust": AdjustPanel, "validate": ValidatePanel,
@@ -99,6 +107,7 @@ def tables(language: str) -> dict[str, str]:
                 made[f"{name}.md"] = "\n".join(parts)
         made["programs.md"] = _programs(language)
         made["points-shared.md"] = _options(list(SHARED), language)
+        made["messages.md"] = _messages(language)
     finally:
         speak("en")
     return made
@@ -258,6 +267,34 @@ def _programs(language: str) -> str:
         ]
         parts.append(f"### {_cell(say(system.name))}\n\n" + "\n".join(lines) + "\n")
     return "\n".join(parts)
+
+
+def _messages(language: str) -> str:
+    """Every message code by its topic, with its levels and its texts, placeholders in brackets."""
+    levels: dict[str, set[str]] = {}
+    for _, call in calls():
+        code = cast(ast.Constant, call.args[0]).value
+        levels.setdefault(code, set()).add(cast(ast.Name, call.func).id)
+    parts = []
+    for topic in TOPICS:
+        rows = [
+            (f"`{code}`", ", ".join(sorted(levels.get(code, ()))), *_shown(template))
+            for code, template in sorted(topic.TEXTS.items())
+        ]
+        title = topic.__doc__.split("\n")[0].rstrip(".")
+        parts.append(f"## {title}\n\n{_table(MESSAGES[language], rows)}")
+    return "\n".join(parts)
+
+
+def _shown(template: Template) -> tuple[str, ...]:
+    """The text in every language; of a plural that for several things."""
+    found = []
+    for language in LANGUAGES:
+        with in_language(language):
+            params = {} if isinstance(template, str) else {"count": 2}
+            text = raw_text(template, params)
+        found.append(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", text))
+    return tuple(found)
 
 
 def folder(language: str) -> Path:

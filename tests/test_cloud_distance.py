@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError
+from lispac.io.values import decoded, encoded
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE, LocalModel
 
@@ -101,7 +102,7 @@ def test_a_quadric_follows_a_bend_that_a_plane_cuts() -> None:
 
 def test_a_model_survives_json() -> None:
     for model in (*MODELS, NEAREST_POINT, SIX_POINT_PLANE):
-        assert LocalModel.from_dict(model.to_dict()) == model
+        assert decoded(encoded(model), LocalModel) == model
 
 
 def test_agrees_with_brute_force_with_duplicates() -> None:

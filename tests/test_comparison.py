@@ -7,6 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.io.values import decoded, encoded
 from lispac.validation.comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
@@ -184,7 +185,7 @@ def test_many_points_are_thinned_alike_in_both_states() -> None:
     assert result.after.n <= (len(a) + 1) // 2 + len(b)
     assert result.before.median == pytest.approx(0.006, abs=1e-9)
     again = compare_plane("V1", moved, clouds, OPPOSITE)
-    assert again.to_dict() == result.to_dict()
+    assert encoded(again) == encoded(result)
 
 
 def test_lines_that_saw_different_parts_are_named() -> None:
@@ -248,8 +249,8 @@ def test_round_trip_through_json() -> None:
     clouds = {"L1": wall(1, noise=0.002), "L2": wall(2), "L3": wall(3, low=(9, 9), high=(10, 10))}
     headings = OPPOSITE | {"L3": 0.0}
     result = compare_plane("V1", clouds, clouds, headings)
-    back = PlaneComparison.from_dict(json.loads(json.dumps(result.to_dict())))
-    assert back.to_dict() == result.to_dict()
+    back = decoded(json.loads(json.dumps(encoded(result))), PlaneComparison)
+    assert encoded(back) == encoded(result)
     assert back.pairs[0].after == result.pairs[0].after
     assert back.not_compared == result.not_compared
     assert back.counts_after.dtype == result.counts_after.dtype

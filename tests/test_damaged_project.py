@@ -54,7 +54,7 @@ def folder(tmp_path: Path) -> Path:
         (lambda content: content["settings"].update(colour=3), "colour is not known"),
         (lambda content: content.update(lines=5), "something in it is of the wrong kind"),
         (lambda content: content["targets"][0].update(role="ghost"), "has the role 'ghost'"),
-        (lambda content: content["targets"][0].update(seed=["a", 1, 2]), "of the wrong kind"),
+        (lambda content: content["targets"][0].update(seed=["a", 1, 2]), "not a number"),
         (lambda content: content["targets"][0].update(shape="cube"), "has the shape 'cube'"),
         (lambda content: content["targets"][0].update(threshold=-1), "threshold or radius of T1"),
         (lambda content: content["targets"][0].update(radius=0), "threshold or radius of T1"),

@@ -12,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.values import decoded, encoded
 from lispac.report.maps import map_figure, map_figure_of
 from lispac.report.tables import write_tables
 from lispac.report.text_width import width_of
@@ -50,7 +51,7 @@ def test_every_cell_has_the_distance_of_its_place() -> None:
     np.testing.assert_allclose(found.before, 0.01 * found.across, atol=0.01 * 0.2 + 0.0025)
     np.testing.assert_allclose(found.after, 0.004 * found.up, atol=0.004 * 0.2 + 0.0025)
     assert np.corrcoef(found.before, found.across)[0, 1] > 0.99
-    again = DistanceMap.from_dict(json.loads(json.dumps(found.to_dict())))
+    again = decoded(json.loads(json.dumps(encoded(found))), DistanceMap)
     for name, values in vars(found).items():
         np.testing.assert_array_equal(getattr(again, name), values)
 

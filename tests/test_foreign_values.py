@@ -4,13 +4,16 @@ import json
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from lispac.cli.main import main
-from lispac.errors import InputError, LispacError
+from lispac.errors import InputError, LispacError, ProjectError
 from lispac.foreign_values import Unfit, as_cell, json_values, toml_values
+from lispac.io.files import written_whole
+from lispac.io.project_file import FILE_NAME, read_project
 from lispac.project import Project, Settings
 from lispac.workflow.survey import load_survey
 
@@ -97,3 +100,70 @@ def test_reports_of_folders_whose_names_are_not_utf8(copy: Project, ending: str)
     report = folder.parent / f"report.{ending}"
     assert main(["report", str(folder), "--output", str(report)]) == 0
     assert report.stat().st_size > 1000
+
+
+WRONG_VALUES = [
+    ("validation/0/pairs/1/after/planes/turn_level_95", "/dev/zero"),
+    ("validation/0/pairs/1/before/distances/outliers", float("nan")),
+    ("validation/0/pairs/0/before/distances/n", {}),
+    ("validation/0/pairs/0/before/distances/mean", True),
+    ("validation/0/counts_after", [[]]),
+    ("validation/0/counts_after", [1, 2]),
+    ("validation/0/maps/0/after", 0),
+    ("validation/0/maps/0/after", [1.0]),
+    ("validation/0/not_compared", "ab"),
+    ("result/observability/directions", [0, 0, 0]),
+    ("result/observability/eigenvalues", "nan"),
+    ("result/mounting/boresight", [1.0, 2.0]),
+    ("result/sightings/0/sighting/line", "<img src=x>"),
+    ("result/reliability/0/sighting/target", [[]]),
+    ("result/raised", True),
+    ("result/variance_factor", 1e308),
+    ("truth_deg", "abc"),
+    ("truth_deg", [1, 2]),
+]
+"""Places in a project file, and values that do not fit there."""
+
+
+@pytest.mark.parametrize(("place", "value"), WRONG_VALUES)
+def test_values_of_a_project_that_do_not_fit_are_refused(
+    copy: Project, place: str, value: object
+) -> None:
+    path = copy.folder / FILE_NAME
+    content = json.loads(path.read_text())
+    *folders, last = place.split("/")
+    inner: Any = content
+    for name in folders:
+        inner = inner[int(name) if name.isdigit() else name]
+    inner[last] = value
+    path.write_text(json.dumps(content))
+    with pytest.raises(ProjectError):
+        read_project(copy.folder)
+
+
+@pytest.mark.parametrize("name", ["a\0b.csv", "a\ud800b.csv"])
+def test_names_that_no_file_can_have_are_refused(tmp_path: Path, name: str) -> None:
+    with pytest.raises(InputError) as refused, written_whole(tmp_path / name):
+        pass
+    assert refused.value.code == "file.bad_name"
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no named pipes in folders")
+def test_nothing_is_written_in_the_place_of_a_pipe_or_folder(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.csv")
+    (tmp_path / "folder.csv").mkdir()
+    for name, code in (("pipe.csv", "file.is_device"), ("folder.csv", "file.is_folder")):
+        with pytest.raises(InputError) as refused, written_whole(tmp_path / name):
+            pass
+        assert refused.value.code == code
+    assert (tmp_path / "pipe.csv").is_fifo()
+
+
+def test_files_that_look_like_unfinished_ones_stay(tmp_path: Path) -> None:
+    mine = tmp_path / ".report-20260101.pdf"
+    mine.write_text("mine")
+    os.utime(mine, (0, 0))
+    with written_whole(tmp_path / "report.pdf") as temporary:
+        temporary.write_text("report")
+    assert mine.exists()

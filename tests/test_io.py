@@ -89,7 +89,7 @@ def test_missing_file_and_folder_are_refused(tmp_path: Path) -> None:
     )
     with pytest.raises(InputError) as refused:
         read_sbet(tmp_path)
-    assert refused.value.code == "file.is_folder"
+    assert refused.value.code == "file.folder"
 
 
 def test_smrmsg_round_trip_in_arc_minutes(tmp_path: Path) -> None:

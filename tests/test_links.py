@@ -1,5 +1,6 @@
 """Links inside a project folder: nothing is written or deleted behind them."""
 
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
 from lispac.workflow.demo import MARKER, make_demo
 from lispac.workflow.importing import LINES, import_lines, line_folder
-from lispac.workflow.survey import Survey
+from lispac.workflow.survey import Survey, load_survey
 
 
 @pytest.fixture
@@ -110,3 +111,27 @@ def test_a_simulation_writes_nothing_behind_a_link(tmp_path: Path) -> None:
     with pytest.raises(ProjectError, match="link"):
         make_demo(folder, points_per_second=1000.0)
     assert contents(elsewhere) == before
+
+
+def test_reading_writes_nothing_behind_a_link(project: Project, tmp_path: Path) -> None:
+    import_lines(project)
+    store = line_folder(project, project.lines[0])
+    elsewhere = tmp_path / "elsewhere"
+    store.rename(elsewhere)
+    store.symlink_to(elsewhere, target_is_directory=True)
+    for path in (elsewhere / "columns-1").iterdir():
+        os.utime(path, (1e9, 1e9))
+    before = contents(elsewhere)
+    load_survey(project)
+    assert contents(elsewhere) == before
+
+
+def test_an_import_removes_only_files_that_imports_write(project: Project) -> None:
+    import_lines(project)
+    store = line_folder(project, project.lines[0])
+    for name in ("columns-backup", "columns-7", "spool"):
+        (store / name).mkdir(exist_ok=True)
+        (store / name / "mine.txt").write_text("mine")
+    import_lines(project, again=True)
+    left = sorted(path.parent.name for path in store.rglob("mine.txt"))
+    assert left == ["columns-7", "columns-backup", "spool"]

@@ -43,6 +43,29 @@ def test_layers_of_a_laz_chunk_that_claim_more_than_the_file(tmp_path: Path) -> 
             require_sound_header(path)
 
 
+def test_laz_chunks_of_more_bytes_than_their_points_take(tmp_path: Path) -> None:
+    path = tmp_path / "a.laz"
+    compressed(path, 2000)
+    content = bytearray(path.read_bytes())
+    record = content.index(b"laszip encoded") - 2 + 54
+    struct.pack_into("<I", content, record + 12, 1)
+    path.write_bytes(content)
+    with pytest.raises(InputError):
+        require_sound_header(path)
+
+
+@pytest.mark.parametrize("scale", [0.0, -1.0, 1e308, 1e-320, float("nan")])
+def test_scale_factors_that_cannot_be_are_refused(tmp_path: Path, scale: float) -> None:
+    path = tmp_path / "a.laz"
+    compressed(path, 200)
+    content = bytearray(path.read_bytes())
+    struct.pack_into("<d", content, 131, scale)
+    path.write_bytes(content)
+    with pytest.raises(InputError) as refused:
+        require_sound_header(path)
+    assert refused.value.code == "las.scale"
+
+
 def test_a_mesh_that_ends_its_reader_ends_nothing_else(tmp_path: Path) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0]], dtype=float)
     good, bad = tmp_path / "good.ply", tmp_path / "bad.ply"

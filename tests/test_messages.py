@@ -18,10 +18,10 @@ from lispac.io.values import decoded, encoded
 from lispac.language import LANGUAGES, Plural, Template, in_language, text_of
 from lispac.message_texts import ACTIONS, TEXTS, TOPICS
 from lispac.messages import Action, Level, Message, error
+from tests.message_calls import calls
 from tests.report_sample import sample_project
 
 ROOT = Path(__file__).resolve().parents[1]
-MAKERS = ("error", "warning", "note")
 SAMPLES = {"": "L1", "n": 3, "names": ("L1", "L2"), "choices": ("L1", "L2")}
 """A value for each format specification; 0.25 for those of a quantity."""
 
@@ -93,22 +93,6 @@ def test_no_code_is_in_two_topics() -> None:
 
 def test_catalogues_are_complete_and_up_to_date() -> None:
     assert catalogues.main(["check"]) == 0
-
-
-def calls() -> list[tuple[str, ast.Call]]:
-    """Every call that makes a message with a code of its own, with its place."""
-    found = []
-    for path in (ROOT / "lispac").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if (
-                isinstance(node, ast.Call)
-                and isinstance(node.func, ast.Name)
-                and node.func.id in MAKERS
-                and node.args
-                and isinstance(node.args[0], ast.Constant)
-            ):
-                found.append((f"{path.name}:{node.lineno}", node))
-    return found
 
 
 def test_messages_are_made_with_the_parameters_of_their_texts() -> None:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.rotations import rotation_matrix
+from lispac.io.values import decoded, encoded
 from lispac.validation.normal_distance import FEWEST, NormalDistances, distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 
@@ -160,4 +161,4 @@ def test_too_few_points_make_no_plane() -> None:
 def test_round_trip_through_json() -> None:
     rng = np.random.default_rng(1)
     found = plane_offset(wall(rng, 100), wall(rng, 100), EAST)
-    assert PlaneOffset.from_dict(found.to_dict()) == found
+    assert decoded(encoded(found), PlaneOffset) == found

@@ -54,7 +54,7 @@ def damaged(tmp_path: Path, name: str, data: bytes) -> Path:
 @pytest.mark.parametrize("name", NAMES)
 def test_missing_folder_and_empty(tmp_path: Path, name: str) -> None:
     assert "file.not_found" in said(tmp_path / "absent" / name, name)
-    assert "file.is_folder" in said(tmp_path, name)
+    assert "file.folder" in said(tmp_path, name)
     assert re.search("is empty", said(damaged(tmp_path, name, b""), name))
     format_ = FORMATS[files.VALID[name][0]]
     for path in (tmp_path / "absent", tmp_path, tmp_path / name):

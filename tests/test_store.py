@@ -308,7 +308,8 @@ def test_checksums_are_joined(first: bytes, second: bytes) -> None:
 
 
 def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
-    recipe = Recipe("L1", Original("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, {"mounting": [0]})
+    placed_with = {"mounting": [0.1] * 9}
+    recipe = Recipe("L1", Original("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, placed_with)
     write_store(
         tmp_path, recipe, LINE.pieces(1000), place, lambda: (("read as it is",), {"read": 3})
     )

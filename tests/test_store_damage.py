@@ -253,3 +253,19 @@ def test_folder_that_cannot_be_made(tmp_path: Path) -> None:
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path / "lines" / "L1", RECIPE, LINE.pieces(1000), place)
     assert refused.value.code == "store.not_writable"
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"folder": ".."}, {"folder": "columns-abc"}, {"folder": "columns-\u00b2"},
+        {"placed_with": {"mounting": [[[]]]}}, {"placed_with": {"mounting": [0.0]}},
+        {"first_time": -1e308, "last_time": 1e308}, {"reach": 1e300}, {"reach": -1.0},
+    ],
+)  # fmt: skip
+def test_manifests_that_no_import_writes_are_refused(tmp_path: Path, given) -> None:
+    found = stored(tmp_path)
+    write_manifest(tmp_path, replace(found.manifest, **given))
+    with pytest.raises(ProjectError):
+        open_store(tmp_path, "L1")
+    assert list((tmp_path / "columns-1").glob("*.npy"))

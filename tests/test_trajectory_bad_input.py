@@ -82,7 +82,7 @@ def test_sound_file_is_read(tmp_path: Path, key: str) -> None:
 @pytest.mark.parametrize("key", EVERY)
 def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
     (tmp_path / "empty").touch()
-    for name, words in (("none", "not_found"), ("empty", "empty|nothing"), (".", "is_folder")):
+    for name, words in (("none", "not_found"), ("empty", "empty|nothing"), (".", "file.folder")):
         path = tmp_path / name
         assert re.search(words, refused(key, path))
         assert format_of(key).sniff(path) == 0

@@ -13,6 +13,7 @@ from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
+from lispac.io.values import encoded
 from lispac.project import Project
 from lispac.simulation.survey import port_survey
 from lispac.survey.georeferencing import Mounting
@@ -95,7 +96,7 @@ def test_saved_project_opens_the_same(calibrated: tuple[Project, Survey], copy: 
         for one, other in zip(ours.sightings, theirs.sightings, strict=True):
             np.testing.assert_array_equal(one.indices, other.indices)
     assert copy.lines[0].path == copy.folder / "raw" / project.lines[0].path.name
-    assert [c.to_dict() for c in copy.validation] == [c.to_dict() for c in project.validation]
+    assert encoded(copy.validation) == encoded(project.validation)
     reloaded = load_survey(copy)
     again = calibration.estimate(copy, reloaded)
     assert again.result is not None

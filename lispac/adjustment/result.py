@@ -2,6 +2,7 @@
 
 from collections import Counter
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.foreign_values import Shape
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -84,13 +86,13 @@ class SightingReliability:
     """
 
     sighting: Sighting
-    pos_error: Array
-    pos_sigma: Array
-    pos_sigma_after: Array
+    pos_error: Annotated[Array, Shape(6)]
+    pos_sigma: Annotated[Array, Shape(6)]
+    pos_sigma_after: Annotated[Array, Shape(6)]
     shift: float
     w: float
     detectable: float
-    effect: Array
+    effect: Annotated[Array, Shape(3)]
     redundancy: float
     strays: int
     largest_w: float
@@ -121,7 +123,7 @@ class TargetResidual:
     points: int
     rms_before: float
     rms_after: float
-    plane: Array
+    plane: Annotated[Array, Shape(4)]
     sphere: bool = False
     noise: float = 1.0
 
@@ -192,8 +194,8 @@ class Observability:
         What an error of would not show.
     """
 
-    eigenvalues: Array
-    directions: Array
+    eigenvalues: Annotated[Array, Shape(3)]
+    directions: Annotated[Array, Shape(3, 3)]
     condition: float
     sigma_without_line: dict[str, Array | None]
     sentences: tuple[str, ...]
@@ -245,7 +247,7 @@ class Contradiction:
     name: str
     change: float
     sigma: float
-    moved: Array
+    moved: Annotated[Array, Shape(3)]
     surface: float
 
     @property
@@ -279,9 +281,9 @@ class CandidateCause:
     kind: str
     target: str
     line: str
-    size: Array
-    sigma: Array
-    moved: Array
+    size: Annotated[Array, Shape("k")]
+    sigma: Annotated[Array, Shape("k")]
+    moved: Annotated[Array, Shape(3)]
     effect: float
     evidence: float
 
@@ -357,11 +359,11 @@ class AdjustmentResult:
     """
 
     mounting: Mounting
-    prior_boresight: Array
+    prior_boresight: Annotated[Array, Shape(3)]
     estimated: tuple[str, ...]
-    covariance_all: Array
+    covariance_all: Annotated[Array, Shape("e", "e")]
     parameters: tuple[Estimate, ...]
-    path: Array
+    path: Annotated[Array, Shape("n", 3)]
     model: StochasticModel
     variance_factor: float
     degrees_of_freedom: int
@@ -380,7 +382,7 @@ class AdjustmentResult:
     contradictions: tuple[Contradiction, ...] = ()
     offset: float | None = None
     causes: tuple[tuple[CandidateCause, ...], ...] | None = None
-    raised: Array | None = None
+    raised: Annotated[Array, Shape(3)] | None = None
     stated_times: tuple[float, float] | None = None
     radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
@@ -489,10 +491,10 @@ class CrossCheck:
 
     kind: str
     without: str
-    boresight: Array | None = None
-    sigma: Array | None = None
-    difference: Array | None = None
-    significance: Array | None = None
+    boresight: Annotated[Array, Shape(3)] | None = None
+    sigma: Annotated[Array, Shape(3)] | None = None
+    difference: Annotated[Array, Shape(3)] | None = None
+    significance: Annotated[Array, Shape(3)] | None = None
     reason: str = ""
 
     @property
@@ -514,9 +516,9 @@ class CrossChecks:
     """
 
     parts: tuple[CrossCheck, ...]
-    spread_lines: Array | None
-    spread_targets: Array | None
-    sigma: Array
+    spread_lines: Annotated[Array, Shape(3)] | None
+    spread_targets: Annotated[Array, Shape(3)] | None
+    sigma: Annotated[Array, Shape(3)]
 
     @property
     def disagreements(self) -> tuple[CrossCheck, ...]:

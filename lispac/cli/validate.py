@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.doubles import project_doubts
+from lispac.io.values import encoded
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow import projects
@@ -40,7 +41,7 @@ def validate(arguments: Namespace) -> None:
     if arguments.json:
         print_json(
             {
-                "planes": [comparison.to_dict() for comparison in project.validation],
+                "planes": [encoded(comparison) for comparison in project.validation],
                 "rms_truth_m": true,
                 "not_compared": dict(project.not_compared),
                 "doubts": [doubt.plain for doubt in project_doubts(project)],

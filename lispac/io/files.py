@@ -82,14 +82,14 @@ def require_file(path: Path, what: str) -> Path:
 def _not_a_file(path: Path, kind: Message | str) -> Message:
     """What a path is instead of a file."""
     if path.is_fifo():
-        return error("file.is_pipe", file=str(path), kind=kind)
+        return error("file.pipe", file=str(path), kind=kind)
     if path.is_socket():
-        return error("file.is_socket", file=str(path), kind=kind)
+        return error("file.socket", file=str(path), kind=kind)
     if path.is_char_device():
-        return error("file.is_device", file=str(path), kind=kind)
+        return error("file.device", file=str(path), kind=kind)
     if path.is_block_device():
-        return error("file.is_disk", file=str(path), kind=kind)
-    return error("file.is_folder", file=str(path), kind=kind)
+        return error("file.disk", file=str(path), kind=kind)
+    return error("file.folder", file=str(path), kind=kind)
 
 
 @contextmanager
@@ -213,6 +213,10 @@ def without_path(sentence: str, path: Path) -> str:
     return sentence
 
 
+TEMPORARY = ".part"
+"""Before the suffix of the temporary name of a file that is being written."""
+
+
 @contextmanager
 def written_whole(path: Path) -> Iterator[Path]:
     """Yield a temporary name beside ``path`` and rename it to ``path`` when all went well.
@@ -222,16 +226,22 @@ def written_whole(path: Path) -> Iterator[Path]:
     Raises
     ------
     InputError
-        Where the folder cannot be written, or the disk is full.
+        Where the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
     """  # noqa: DOC501 - `not_written` makes an InputError
     path = Path(path)
-    made = [folder for folder in path.parents if not folder.exists()]
-    remove_abandoned(path)
+    made: list[Path] = []
     try:
+        made = [folder for folder in path.parents if not folder.exists()]
+        if path.exists() and not path.is_file():
+            code = "file.is_folder" if path.is_dir() else "file.is_device"
+            raise InputError(error(code, file=str(path)))
+        remove_abandoned(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
-            prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent
+            prefix=f".{path.stem}-", suffix=f"{TEMPORARY}{path.suffix}", dir=path.parent
         )
+    except ValueError as failure:  # a null character, or half of a pair of characters
+        raise InputError(error("file.bad_name", file=repr(str(path)))) from failure
     except OSError as failure:
         remove_empty(made)
         raise not_written(path, failure) from failure
@@ -264,7 +274,7 @@ writes it has locked it, on systems where this is done."""
 def remove_abandoned(path: Path) -> None:
     """Remove what `written_whole` left beside ``path`` where it was killed."""
     named = re.compile(
-        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{re.escape(path.suffix)}"  # as mkstemp has it
+        rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY}{re.escape(path.suffix)}"
     )
     try:
         with os.scandir(path.parent) as entries:

@@ -20,12 +20,12 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.result import AdjustmentResult, CrossChecks
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.errors import InputError, ProjectChanged, ProjectError
 from lispac.foreign_values import Unfit, json_values
 from lispac.identity import Identity
@@ -316,7 +316,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
         ],
         "result": encoded(project.result),
         "cross_checks": encoded(project.cross_checks),
-        "validation": [comparison.to_dict() for comparison in project.validation],
+        "validation": [encoded(each) for each in project.validation],
         "not_compared": dict(project.not_compared),
         "absolute": encoded(project.absolute),
         "opinions": [encoded(each) for each in project.opinions],
@@ -342,11 +342,11 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         settings=decoded(content["settings"], Settings),
         identity=decoded(content["identity"], Identity),
         targets=tuple(_decode_target(folder, target) for target in content["targets"]),
-        result=decoded(content["result"], AdjustmentResult) if content["result"] else None,
+        result=_decode_result(content["result"]) if content["result"] else None,
         cross_checks=(
             decoded(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
         ),
-        validation=tuple(PlaneComparison.from_dict(item) for item in content["validation"]),
+        validation=tuple(decoded(each, PlaneComparison) for each in content["validation"]),
         not_compared=dict(content["not_compared"]),
         truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
         trajectory_reading=decoded(content["trajectory_reading"], Reading),
@@ -357,6 +357,29 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         opinions=tuple(decoded(each, Opinion) for each in content["opinions"]),
         data_messages=tuple(decoded(each, Message) for each in content.get("data_messages", ())),
     )
+
+
+def _decode_result(content: Any) -> AdjustmentResult:
+    """A result whose parts name the same angles, targets and sightings.
+
+    Raises
+    ------
+    Unfit
+        Where they do not, or the content is not a result.
+    """
+    result = decoded(content, AdjustmentResult)
+    sightings = {each.sighting for each in result.sightings}
+    targets = {each.target for each in result.targets}
+    without_line = result.observability.sigma_without_line if result.observability else {}
+    if (
+        len(result.covariance_all) != len(result.estimated)
+        or len(result.estimated) < len(ANGLES)
+        or not {each.target for each in sightings} <= targets
+        or not {each.sighting for each in result.reliability} <= sightings
+        or any(each is not None and each.shape != (3,) for each in without_line.values())
+    ):
+        raise Unfit("the parts of its result contradict each other")
+    return result
 
 
 def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
@@ -528,5 +551,4 @@ def _absolute(path: str, folder: Path) -> Path:
 
 
 def _triple(values: list[float]) -> Triple:
-    first, second, third = values
-    return first, second, third
+    return decoded(values, cast(type[Triple], Triple))

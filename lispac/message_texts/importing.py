@@ -187,6 +187,22 @@ TEXTS: Mapping[str, Template] = {
         "{count:n} states of the trajectory have no position (latitude and longitude are 0, as "
         "before the GNSS has a fix). They are excluded. Start the export at the first fix."
     ),
+    "las.scale": N_(
+        "{file}: the coordinates are in steps (scale factors) of {scale:names}, which cannot be "
+        "right. Export the file again."
+    ),
+    "file.is_folder": N_("{file}: there is a folder of this name. Choose another name."),
+    "file.is_device": N_(
+        "{file}: this is a device or a pipe, and no file can be written in its place. Choose "
+        "another name."
+    ),
+    "file.bad_name": N_(
+        "{file}: this cannot be the name of a file (it has a character that no name may have). "
+        "Choose another name."
+    ),
+    "store.audit_damaged": N_(
+        "{line}: what the import found in the points is damaged. Import the line again."
+    ),
     "file.header_count": N_(
         "{file}: the header counts {header:n} points, but the file holds {held:n}. All of them "
         "are read. Export the file again before another program reads it."

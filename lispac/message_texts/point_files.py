@@ -31,11 +31,11 @@ TEXTS: Mapping[str, Template] = {
     "file.kind_certificate": N_("certificate"),
     # -- any file ----------------------------------------------------------------------------
     "file.not_found": N_("{file}: this {kind} file does not exist. Check the path."),
-    "file.is_folder": N_("{file}: this is a folder, not a {kind} file. Choose a file."),
-    "file.is_pipe": N_("{file}: this is a named pipe (FIFO), not a {kind} file. Choose a file."),
-    "file.is_socket": N_("{file}: this is a socket, not a {kind} file. Choose a file."),
-    "file.is_device": N_("{file}: this is a device, not a {kind} file. Choose a file."),
-    "file.is_disk": N_("{file}: this is a disk device, not a {kind} file. Choose a file."),
+    "file.folder": N_("{file}: this is a folder, not a {kind} file. Choose a file."),
+    "file.pipe": N_("{file}: this is a named pipe (FIFO), not a {kind} file. Choose a file."),
+    "file.socket": N_("{file}: this is a socket, not a {kind} file. Choose a file."),
+    "file.device": N_("{file}: this is a device, not a {kind} file. Choose a file."),
+    "file.disk": N_("{file}: this is a disk device, not a {kind} file. Choose a file."),
     "file.no_permission": N_(
         "{file}: there is no permission to read this {kind} file. Check its permissions."
     ),

@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees, sqrt
 
+import numpy as np
+
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.profile import Profile
@@ -139,7 +141,17 @@ class Against:
     @classmethod
     def of(cls, profile: Profile) -> "Against":
         """The same figures."""
-        return cls(*(tuple(values) for values in profile.to_dict().values()))
+        return cls(
+            tuple(profile.edges.tolist()),
+            tuple(profile.n.tolist()),
+            *(
+                tuple(None if np.isnan(each) else each for each in figures.tolist())
+                for figures in (
+                    profile.median_before, profile.median_after, profile.p95_before,
+                    profile.p95_after,
+                )
+            ),
+        )  # fmt: skip
 
 
 @dataclass(frozen=True)

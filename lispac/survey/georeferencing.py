@@ -9,11 +9,13 @@ from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import permutations, product
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.foreign_values import Shape
 from lispac.geometry.rotations import angles_of, rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress
 from lispac.survey import kernels
@@ -75,12 +77,12 @@ class Mounting:
         yaw are one angle at a pitch of 90 deg; with the axes turned, the boresight stays small.
     """
 
-    lever_arm: Array
-    boresight: Array
+    lever_arm: Annotated[Array, Shape(3)]
+    boresight: Annotated[Array, Shape(3)]
     range_offset: float = 0.0
     scan_angle_offset: float = 0.0
     latency: float = 0.0
-    axes: Array | None = None
+    axes: Annotated[Array, Shape(3, 3)] | None = None
 
     @classmethod
     def near(

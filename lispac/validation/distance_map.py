@@ -6,12 +6,13 @@ a cylinder as wide as the cell; before and after are of the same points, drawn w
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
+from lispac.foreign_values import Shape
 from lispac.geometry.planes import fit_plane, in_plane_axes
 from lispac.targets.thinning import thin
 from lispac.validation.normal_distance import NormalDistances, distances_along_normal
@@ -46,26 +47,10 @@ class DistanceMap:
     line_a: str
     line_b: str
     cell: float
-    across: Array
-    up: Array
-    before: Array
-    after: Array
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers and strings, for JSON."""
-        return {
-            name: value.tolist() if isinstance(value, np.ndarray) else value
-            for name, value in vars(self).items()
-        }
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "DistanceMap":
-        """The inverse of `to_dict`."""
-        figures = ("across", "up", "before", "after")
-        return cls(
-            data["line_a"], data["line_b"], float(data["cell"]),
-            *(np.array(data[name], dtype=np.float64) for name in figures),
-        )  # fmt: skip
+    across: Annotated[Array, Shape("n")]
+    up: Annotated[Array, Shape("n")]
+    before: Annotated[Array, Shape("n")]
+    after: Annotated[Array, Shape("n")]
 
 
 def distance_map(

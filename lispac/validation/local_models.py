@@ -4,7 +4,7 @@ The local models are those of CloudCompare.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,15 +70,6 @@ class LocalModel:
         if self.radius is not None:
             return f"local {self.kind} through the points within {self.radius:g} m"
         return f"local {self.kind} through {self.neighbours} points"
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain values, for JSON."""
-        return {"kind": self.kind, "neighbours": self.neighbours, "radius": self.radius}
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "LocalModel":
-        """The inverse of `to_dict`."""
-        return cls(**data)
 
     def distances(
         self, compared: Array, nearest: Indices, reference: Array, tree: "cKDTree"

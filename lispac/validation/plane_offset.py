@@ -5,8 +5,7 @@ has the sum of their covariances. Unlike an angle between normals, which is neve
 two turns have a sign, and an interval that holds.
 """
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,15 +54,6 @@ class PlaneOffset:
     def angle(self) -> float:
         """Between the two normals, radians, in [0, pi/2]."""
         return float(np.hypot(self.turn_level, self.turn_upright))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers, for JSON."""
-        return asdict(self)
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "PlaneOffset":
-        """The inverse of `to_dict`."""
-        return cls(**data)
 
 
 def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffset:

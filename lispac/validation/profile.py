@@ -5,10 +5,12 @@ left after a calibration does not (thesis figures 4.24 to 4.26).
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
+
+from lispac.foreign_values import Shape
 
 Array = NDArray[np.float64]
 
@@ -29,12 +31,12 @@ class Profile:
         Of the unsigned distances; NaN where a bin holds fewer than 30.
     """
 
-    edges: Array
-    n: NDArray[np.int64]
-    median_before: Array
-    median_after: Array
-    p95_before: Array
-    p95_after: Array
+    edges: Annotated[Array, Shape("k+1")]
+    n: Annotated[NDArray[np.int64], Shape("k")]
+    median_before: Annotated[Array, Shape("k")]
+    median_after: Annotated[Array, Shape("k")]
+    p95_before: Annotated[Array, Shape("k")]
+    p95_after: Annotated[Array, Shape("k")]
 
     @classmethod
     def of(cls, against: Array, before: Array, after: Array, bins: int = BINS) -> "Profile":
@@ -49,20 +51,3 @@ class Profile:
             figures[:2, k] = np.median(before[here]), np.median(after[here])
             figures[2:, k] = [np.percentile(d[here], 95.0) for d in (before, after)]
         return cls(edges, counts, *figures)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers, for JSON; None where there is none."""
-        return {
-            name: [None if isinstance(v, float) and np.isnan(v) else v for v in value.tolist()]
-            for name, value in vars(self).items()
-        }
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "Profile":
-        """The inverse of `to_dict`."""
-        figures = ("median_before", "median_after", "p95_before", "p95_after")
-        return cls(
-            np.array(data["edges"], dtype=np.float64),
-            np.array(data["n"], dtype=np.int64),
-            *(np.array(data[name], dtype=np.float64) for name in figures),
-        )

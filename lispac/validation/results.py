@@ -1,13 +1,14 @@
 """The figures a comparison of lines leaves behind: values that the project file can hold."""
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
+from lispac.foreign_values import Shape
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.normal_distance import NMAD, NormalDistances
@@ -72,15 +73,6 @@ class DistanceStatistics:
             outliers=int(np.count_nonzero(values > median + OUTLYING * robust)),
         )
 
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers, for JSON."""
-        return asdict(self)
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "DistanceStatistics":
-        """The inverse of `to_dict`."""
-        return cls(**data)
-
 
 @dataclass(frozen=True)
 class SignedStatistics:
@@ -143,20 +135,6 @@ class PairState:
     signed: SignedStatistics | None = None
     planes: PlaneOffset | None = None
 
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers, for JSON."""
-        return asdict(self)
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "PairState":
-        """The inverse of `to_dict`."""
-        signed, planes = data["signed"], data["planes"]
-        return cls(
-            DistanceStatistics.from_dict(data["distances"]),
-            None if signed is None else SignedStatistics(**signed),
-            None if planes is None else PlaneOffset(**planes),
-        )
-
 
 @dataclass(frozen=True, eq=False)
 class PairComparison:
@@ -176,21 +154,6 @@ class PairComparison:
     reciprocal: bool
     before: PairState
     after: PairState
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers and strings, for JSON."""
-        return asdict(self)
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "PairComparison":
-        """The inverse of `to_dict`."""
-        return cls(
-            line_a=data["line_a"],
-            line_b=data["line_b"],
-            reciprocal=data["reciprocal"],
-            before=PairState.from_dict(data["before"]),
-            after=PairState.from_dict(data["after"]),
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,53 +185,12 @@ class PlaneComparison:
     pairs: tuple[PairComparison, ...]
     not_compared: tuple[tuple[str, str], ...]
     pooled_from: str
-    bin_edges: NDArray[np.float64]
-    counts_before: NDArray[np.int64]
-    counts_after: NDArray[np.int64]
+    bin_edges: Annotated[NDArray[np.float64], Shape("k+1")]
+    counts_before: Annotated[NDArray[np.int64], Shape("k")]
+    counts_after: Annotated[NDArray[np.int64], Shape("k")]
     before: DistanceStatistics
     after: DistanceStatistics
     model: LocalModel = SIX_POINT_PLANE
     by_height: Profile | None = None
     by_range: Profile | None = None
     maps: tuple[DistanceMap, ...] = ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain numbers, strings and lists, for JSON."""
-        return {
-            "name": self.name,
-            "pairs": [pair.to_dict() for pair in self.pairs],
-            "not_compared": [list(pair) for pair in self.not_compared],
-            "pooled_from": self.pooled_from,
-            "bin_edges": self.bin_edges.tolist(),
-            "counts_before": self.counts_before.tolist(),
-            "counts_after": self.counts_after.tolist(),
-            "before": self.before.to_dict(),
-            "after": self.after.to_dict(),
-            "model": self.model.to_dict(),
-            "by_height": None if self.by_height is None else self.by_height.to_dict(),
-            "by_range": None if self.by_range is None else self.by_range.to_dict(),
-            "maps": [each.to_dict() for each in self.maps],
-        }
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "PlaneComparison":
-        """The inverse of `to_dict`."""
-        return cls(
-            name=data["name"],
-            pairs=tuple(PairComparison.from_dict(pair) for pair in data["pairs"]),
-            not_compared=tuple((a, b) for a, b in data["not_compared"]),
-            pooled_from=data["pooled_from"],
-            bin_edges=np.asarray(data["bin_edges"], dtype=np.float64),
-            counts_before=np.asarray(data["counts_before"], dtype=np.int64),
-            counts_after=np.asarray(data["counts_after"], dtype=np.int64),
-            before=DistanceStatistics.from_dict(data["before"]),
-            after=DistanceStatistics.from_dict(data["after"]),
-            model=LocalModel.from_dict(data["model"]),
-            by_height=_profile(data["by_height"]),
-            by_range=_profile(data["by_range"]),
-            maps=tuple(DistanceMap.from_dict(each) for each in data.get("maps", ())),
-        )
-
-
-def _profile(data: dict[str, Any] | None) -> Profile | None:
-    return None if data is None else Profile.from_dict(data)

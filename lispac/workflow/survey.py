@@ -15,8 +15,8 @@ from lispac.io.formats import format_of, is_las
 from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
-from lispac.io.values import decoded
-from lispac.messages import Level, Message, Value
+from lispac.io.values import Unfit, decoded
+from lispac.messages import Level, Message, Value, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
@@ -254,7 +254,13 @@ def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[
 def _opened(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
 ) -> tuple[Line, Cloud, tuple[str, ...], Found | None]:
-    """A line from its store or its file, placed, its assumptions in words, and its audit."""
+    """A line from its store or its file, placed, its assumptions in words, and its audit.
+
+    Raises
+    ------
+    ProjectError
+        Where the audit of the store is damaged.
+    """
     mounting = project.mounting("prior")
     if _belongs_on_disk(project, line):
         imported = import_line(project, line, trajectory, progress=progress)
@@ -267,7 +273,10 @@ def _opened(
             said += (
                 f"{line.path} is not there; {line.name} is used as it was imported from it before",
             )
-        found = decoded(stored.manifest.audit, Found) if stored.manifest.audit else None
+        try:
+            found = decoded(stored.manifest.audit, Found) if stored.manifest.audit else None
+        except Unfit as failure:
+            raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
         return stored, cloud, said, found
     progress(0.0, f"Reading {line.path.name}")
     scan, found = read_line(line, trajectory, mounting)

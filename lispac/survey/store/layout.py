@@ -9,10 +9,10 @@ blocks of points lie in ``spool``.
 import errno
 import json
 import os
-import shutil
+import re
 import stat
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -32,6 +32,9 @@ OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
 LONGEST_TYPE = 16
 """Characters of NumPy's name of the type of a number."""
 MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
+COLUMNS_NAME = re.compile(rf"{COLUMNS}[0-9]{{1,9}}")
+LARGEST_REACH, LARGEST_TIME = 1e7, 1e12
+"""Metres from the origin and seconds that no survey has."""
 
 
 class DamagedStore(ProjectError):
@@ -274,6 +277,10 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         and all(type(count) is int and count >= 0 for count in counts)
         and all(isinstance(n, int | float) and np.isfinite(n) for n in numbers)
         and all(isinstance(name, str) and name == Path(name).name for name in names)
+        and COLUMNS_NAME.fullmatch(manifest.folder) is not None
+        and 0 <= manifest.reach <= LARGEST_REACH
+        and max(abs(manifest.first_time), abs(manifest.last_time)) <= LARGEST_TIME
+        and _is_placed(manifest.placed_with)
         and {column.name for column in manifest.columns} >= OWN_FILES
         and isinstance(manifest.made_with, dict)
         and isinstance(manifest.placed_with, dict)
@@ -281,6 +288,16 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
     )
     if not sound:
         raise DamagedStore(import_again(values))
+
+
+def _is_placed(placed_with: Mapping[str, Any]) -> bool:
+    """Whether it holds the nine values of a mounting, as numbers, or nothing."""
+    values = placed_with.get("mounting", [0.0] * 9)
+    return (
+        isinstance(values, list)
+        and len(values) == 9
+        and all(type(value) in (int, float) and np.isfinite(value) for value in values)
+    )
 
 
 def _column(content: Mapping[str, Any]) -> Column:
@@ -360,11 +377,23 @@ def is_imported(folder: Path) -> bool:
     return (folder / MANIFEST).exists()
 
 
+def remove_columns(folder: Path) -> None:
+    """Remove the columns of an import; files that no import writes stay, and the folder with them.
+
+    Columns are NumPy files; a file under way has the suffix `PART` besides.
+    """
+    with suppress(OSError):
+        for path in folder.iterdir():
+            if path.name.removesuffix(PART).endswith(".npy") and not path.is_dir():
+                path.unlink()
+        folder.rmdir()
+
+
 def remove_leftovers(folder: Path, keep: str = "") -> None:
     """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
     for path in folder.glob(f"{COLUMNS}*"):
-        if path.name != keep:
-            shutil.rmtree(path, ignore_errors=True)  # leaves links alone
+        if path.name != keep and COLUMNS_NAME.fullmatch(path.name) and not is_link(path):
+            remove_columns(path)
     blocks = [] if is_link(folder / SPOOL) else (folder / SPOOL).glob(f"*{PART}")
     for path in (folder / f"{MANIFEST}{PART}", *blocks):
         path.unlink(missing_ok=True)

@@ -7,8 +7,9 @@ the file and all else are the same.
 """
 
 import json
-import shutil
+import re
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from math import prod
 from pathlib import Path
@@ -27,6 +28,7 @@ from lispac.survey.store.layout import (
     PART,
     SPOOL,
     Column,
+    is_link,
     sealed,
     unsealed,
     write_text_whole,
@@ -36,6 +38,8 @@ from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
 DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
 RECIPE, COMPLETE = "recipe.json", "complete.json"
 VERSION = 3
+SPOOLED_NAME = re.compile(rf"(block-[0-9]+\.(keys|columns|json)|{RECIPE}|{COMPLETE})({PART})?")
+"""Names of the files of a spool: no others are removed."""
 
 
 @dataclass(frozen=True)
@@ -95,6 +99,18 @@ class End:
     audit: Mapping[str, Any] = field(default_factory=dict)
 
 
+def remove_spool(folder: Path) -> None:
+    """Remove the spool of a stored line; files that no import writes stay, and the spool too."""
+    spool = folder / SPOOL
+    if is_link(spool):
+        return
+    with suppress(OSError):
+        for path in spool.iterdir():
+            if SPOOLED_NAME.fullmatch(path.name):
+                path.unlink()
+        spool.rmdir()
+
+
 class Spool:
     """The blocks of one line.
 
@@ -116,7 +132,7 @@ class Spool:
             known = ""
         if known != content:
             self.remove()
-            self.folder.mkdir(parents=True)
+            self.folder.mkdir(parents=True, exist_ok=True)
             write_text_whole(self.folder / RECIPE, content)
         self._find_blocks()
 
@@ -217,7 +233,7 @@ class Spool:
 
     def remove(self) -> None:
         """Remove all of it."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+        remove_spool(self.folder.parent)
         self.blocks = []
 
     def _find_blocks(self) -> None:
@@ -226,7 +242,7 @@ class Spool:
         kept = {self._path(block.number, kind).name for block in self.blocks for kind in KINDS}
         kept |= {RECIPE, COMPLETE}
         for path in self.folder.iterdir():
-            if path.name not in kept:
+            if path.name not in kept and SPOOLED_NAME.fullmatch(path.name):
                 path.unlink()
 
     def _sound(self, number: int) -> Spooled | None:

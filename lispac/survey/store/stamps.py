@@ -9,7 +9,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import ProjectError
-from lispac.survey.store.layout import Column, Manifest, read_manifest, write_manifest
+from lispac.survey.store.layout import (
+    Column,
+    Manifest,
+    read_manifest,
+    require_no_link,
+    write_manifest,
+)
 from lispac.survey.store.lock import locked
 
 
@@ -32,6 +38,7 @@ def stamped(folder: Path, manifest: Manifest) -> Manifest:
 def remember(folder: Path, old: Manifest, new: Manifest) -> None:
     """Put ``new`` in the place of ``old``, where nobody has imported the line meanwhile."""
     try:
+        require_no_link(folder, folder.parent)
         with locked(folder):
             if read_manifest(folder) == old:
                 write_manifest(folder, new)

@@ -5,7 +5,6 @@ either the store that was there before, or the new one, or none; blocks that are
 again by the next import of the same file.
 """
 
-import shutil
 from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import asdict, dataclass
@@ -29,6 +28,7 @@ from lispac.survey.store.layout import (
     is_link,
     plainly_written,
     read_manifest,
+    remove_columns,
     remove_leftovers,
     require_no_link,
     write_manifest,
@@ -37,7 +37,7 @@ from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.ordering import write_columns
 from lispac.survey.store.pace import Pace
 from lispac.survey.store.pieces import Piece, Place, blocks_of
-from lispac.survey.store.spool import End, Spool
+from lispac.survey.store.spool import End, Spool, remove_spool
 from lispac.survey.store.stamps import stamped
 
 READING_SHARE = 0.6
@@ -148,7 +148,7 @@ def _import(
             write_manifest(folder, manifest)
     except BaseException as failure:
         if _current(folder) != new.name:  # stopped after the manifest: the line is imported
-            shutil.rmtree(new, ignore_errors=True)
+            remove_columns(new)
         # A file that cannot be read and a disk that is full get nothing from a half kept for later.
         if spool is not None and isinstance(failure, LispacError):
             spool.remove()
@@ -240,7 +240,7 @@ def tidy(folder: Path, manifest: Manifest) -> None:
             return
         with locked(folder):
             remove_leftovers(folder, keep=manifest.folder)
-            shutil.rmtree(folder / SPOOL, ignore_errors=True)
+            remove_spool(folder)
     except (OSError, ProjectError):
         return  # it may be read without being written
 
