@@ -161,11 +161,11 @@ SBET_MATRIX = {
     "infinite": (put(6, 1, np.inf), "file.record_not_finite .* record 7 "),
     "duplicate time": (
         put(5, 0, 486_000.08),
-        "file.time_order_record .* record 6 .* 200 times, 1 repeat",
+        "file.time_order_record .* record 6 .* Repeated times: 1, .* 0, of 200",
     ),
     "backward time": (
         put(5, 0, 486_000.0),
-        "file.time_order_record .* record 6 .* 200 times, 0 .* 1 run",
+        "file.time_order_record .* record 6 .* Repeated times: 0, .* 1, of 200",
     ),
     "32-bit time": (through_32_bits, "file.time_steps_record .* steps of 0.0312 s"),
     "degrees": (in_degrees, "choose the unit degrees"),
@@ -248,7 +248,7 @@ def test_backward_time_in_text(tmp_path: Path, key: str, column: int, value: str
     told = refused(key, path)
     assert "file.time_order_row" in told
     assert f"row {row} " in told
-    assert "1 run backward" in told
+    assert "decreasing times: 1, of 200" in told
 
 
 @pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])

@@ -83,13 +83,13 @@ TEXTS: Mapping[str, Template] = {
     ),
     "file.time_order_record": N_(
         "{file}: times do not increase at {kind} record {record:n} ({before:s.6} s, then "
-        "{after:s.6} s). Of {total:n} times, {repeated:n} repeat the previous one and "
-        "{backward:n} run backward. Sort the file or export it again."
+        "{after:s.6} s). Repeated times: {repeated:n}, decreasing times: {backward:n}, of "
+        "{total:n}. Sort the file or export it again."
     ),
     "file.time_order_row": N_(
         "{file}: times do not increase at row {row:n} ({before:s.6} s, then {after:s.6} s). "
-        "Of {total:n} times, {repeated:n} repeat the previous one and {backward:n} run backward. "
-        "Sort the file or export it again."
+        "Repeated times: {repeated:n}, decreasing times: {backward:n}, of {total:n}. Sort the file "
+        "or export it again."
     ),
     # -- points of any format ----------------------------------------------------------------
     "file.no_points": N_("{file}: this file contains no points. Exclude it from the survey."),
@@ -279,8 +279,9 @@ TEXTS: Mapping[str, Template] = {
         "it is cut short. Copy or export it again."
     ),
     "pts.count_expected": N_(
-        "{file}, row {row:n}: this row should be a number of points, because the {points:n} points "
-        "that row {head:n} counts end above it. Copy or export the file again."
+        "{file}, row {row:n}: this row should be a number of points, because the block that begins "
+        "in row {head:n} ends above it (points in the block: {points:n}). Copy or export the file "
+        "again."
     ),
     "pts.no_count": N_(
         "{file}, row {row:n}: a PTS file begins with its number of points, but this row is "
