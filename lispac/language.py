@@ -139,6 +139,11 @@ def is_translated(text: str) -> bool:
     return text in _translated
 
 
+def mark_translated(text: str) -> None:
+    """Let `is_translated` know a part of a text that `gettext` has made."""
+    _translated[text] = None
+
+
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
     """A number as the language writes it; three significant digits by default."""
     from babel.numbers import format_decimal

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.packed import require_unpacked
+from lispac.language import is_translated, mark_translated
 from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
 from lispac.survey.time_quality import time_quality
@@ -209,7 +210,10 @@ def without_path(sentence: str, path: Path) -> str:
     for name in (f"{path}: ", f"{path}\u00a0: ", f"{path}, "):
         if sentence.startswith(name):
             rest = sentence[len(name) :]
-            return rest[:1].upper() + rest[1:]
+            rest = rest[:1].upper() + rest[1:]
+            if is_translated(sentence):
+                mark_translated(rest)
+            return rest
     return sentence
 
 
