@@ -163,7 +163,7 @@ def test_not_las_at_all_is_refused(tmp_path: Path) -> None:
     path.write_bytes(b"LASF" + bytes(range(256)) * 4)
     with pytest.raises(InputError) as refused:
         read_scan(path)
-    assert refused.value.code == "las.header"
+    assert refused.value.code == "las.scale"
 
 
 TEXTS = {
