@@ -15,7 +15,7 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.installed import home_folder, temporary_folder, user_folder
-from lispac.messages import Level, Message
+from lispac.messages import Level, Message, error
 
 CHOICE = "cache-folder.txt"
 """Beside what else the user has for all projects."""
@@ -96,11 +96,11 @@ def require_writable(folder: Path) -> None:
         trial = place / f".trial-{os.getpid()}"
         trial.write_bytes(b"")
         trial.unlink()
-    except OSError as error:
+    except OSError as failure:
+        reason = failure.strerror or str(failure)
         raise InputError(
-            f"{folder}: the cache cannot be written there ({error.strerror or error}); choose "
-            "another folder."
-        ) from error
+            error("cache.folder_not_writable", folder=str(folder), reason=reason)
+        ) from failure
     finally:
         with suppress(OSError):
             place.rmdir()
@@ -148,11 +148,11 @@ def empty(place: Path) -> None:
     for part in _parts(place):
         try:
             shutil.rmtree(part)
-        except OSError as error:
+        except OSError as failure:
+            reason = failure.strerror or str(failure)
             raise InputError(
-                f"{part}: cannot be removed ({error.strerror or error}); close other programs that "
-                "may use it and try again."
-            ) from error
+                error("cache.not_removed", folder=str(part), reason=reason)
+            ) from failure
 
 
 def use(variables: MutableMapping[str, str]) -> Message | None:

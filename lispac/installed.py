@@ -10,6 +10,7 @@ from pathlib import Path
 
 import lispac
 from lispac.errors import InputError
+from lispac.messages import error
 
 
 def resource(name: str) -> Path:
@@ -26,7 +27,7 @@ def resource(name: str) -> Path:
         path = folder / "resources" / name
         if path.exists():
             return path
-    raise InputError(f"{name} is missing from this installation; install it again.")
+    raise InputError(error("installation.file_missing", name=name))
 
 
 def window_command() -> list[str]:

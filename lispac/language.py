@@ -8,8 +8,9 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
 
 - ``n``: a count
 - ``m``, ``mm``, ``s``, ``ms``, ``hz``: an SI value in that unit, ``deg`` one in radians,
-  ``percent`` a ratio, ``x`` a number without a unit; three significant digits where no number of
-  decimals follows, and ``+`` for a sign in any case. The unit itself is part of the text.
+  ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three significant
+  digits where no number of decimals follows, and ``+`` for a sign in any case. The unit itself is
+  part of the text.
 - ``names``: names joined by commas and "and"; ``choices``: joined by "or"
 - no specification: a name, or another message, as it is
 """
@@ -20,6 +21,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from datetime import date, datetime
+from decimal import Decimal
 from functools import lru_cache
 from math import degrees, floor, isfinite, log10
 from pathlib import Path
@@ -32,11 +34,11 @@ LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 _LOCALES: Mapping[str, str] = {"en": "en_GB", "fr": "fr_FR"}
 _SCALES: Mapping[str, float] = {
     "m": 1.0, "mm": 1e3, "s": 1.0, "ms": 1e3, "hz": 1.0, "deg": degrees(1.0), "percent": 100.0,
-    "x": 1.0,
+    "x": 1.0, "mb": 1e-6,
 }  # fmt: skip
 _SIGNIFICANT = 3
 _SMALLEST, _LARGEST = 1e-9, 1e15
-"""Sizes of numbers written without an exponent."""
+"""Absolute values of numbers that are written without an exponent."""
 MAX_REMEMBERED = 20_000
 _translated: dict[str, None] = {}
 
@@ -137,13 +139,21 @@ def is_translated(text: str) -> bool:
     return text in _translated
 
 
+def mark_translated(text: str) -> None:
+    """Let `is_translated` know a part of a text that `gettext` has made."""
+    _translated[text] = None
+
+
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:
     """A number as the language writes it; three significant digits by default."""
     from babel.numbers import format_decimal
 
-    is_tiny = decimals is None and 0 < abs(value) < _SMALLEST
-    if not isfinite(value) or abs(value) >= _LARGEST or is_tiny:
-        return f"{value:+.3g}" if sign else f"{value:.3g}"
+    value = value if isinstance(value, int) else float(value)
+    if isinstance(value, float) and not isfinite(value):
+        return f"{value:+g}" if sign else f"{value:g}"
+    # Damaged files have numbers that nobody writes in full, and Babel has 28 digits.
+    if abs(value) >= _LARGEST or (decimals is None and 0 < abs(value) < _SMALLEST):
+        return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT}g}"
     if decimals is None:
         decimals = _significant_decimals(value)
     places = f"#,##0.{'0' * decimals}" if decimals else "#,##0"

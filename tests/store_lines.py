@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.errors import Cancelled
+from lispac.errors import Cancelled, LispacError
+from lispac.messages import Message
 from lispac.progress import Progress
 from lispac.survey.store import columns, merging, ordering, pieces, spool
 from lispac.survey.store.layout import Manifest, Original
@@ -120,3 +121,12 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(merging, "STEP", 16)
     monkeypatch.setattr(ordering, "COARSE", 1500)
     monkeypatch.setattr(columns, "WINDOW", 2048)
+
+
+def why(error: LispacError) -> str:
+    """Code of the reason for which a line has to be imported again."""
+    assert error.code == "store.import_again"
+    assert error.message is not None
+    reason = error.message.params["reason"]
+    assert isinstance(reason, Message)
+    return reason.code

@@ -376,6 +376,6 @@ def test_the_command(
     for sentence in found["in_words"]:
         assert sentence in out
     assert read_project(project.folder).absolute == check
-    assert "there is no such static scan file" in refused(
+    assert "none.laz: this static scan file does not exist" in refused(
         capsys, "check", project.folder, "--reference", tmp_path / "none.laz"
     )

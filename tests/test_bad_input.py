@@ -20,7 +20,7 @@ Run = Callable[[Sequence[str] | None], None]
 MANUAL = Path(__file__).resolve().parents[1] / "resources" / "manual"
 REMEDY = (
     r"copy|export|choose|check|give|leave|state|clean|make room|say which|sort|bring|move|add|name"
-    r"|restore|import"
+    r"|restore|import|exclude"
 )
 
 

@@ -12,6 +12,7 @@ import pytest
 
 from lispac import caches, installed
 from lispac.errors import InputError
+from lispac.messages import error
 
 
 @pytest.fixture
@@ -46,9 +47,8 @@ def test_a_place_that_cannot_be_written_is_refused_in_a_sentence(
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError) as refused:
         caches.choose(tmp_path / "file", config)
-    assert str(refused.value) == (
-        f"{tmp_path / 'file'}: the cache cannot be written there (Not a directory); choose another "
-        "folder."
+    assert refused.value.message == error(
+        "cache.folder_not_writable", folder=str(tmp_path / "file"), reason="Not a directory"
     )
     assert caches.chosen_folder(config) is None
 
@@ -145,9 +145,8 @@ def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(caches.shutil, "rmtree", busy)
     with pytest.raises(InputError) as refused:
         caches.empty(place)
-    assert str(refused.value) == (
-        f"{place / 'numba'}: cannot be removed (in use); close other programs that may use it and "
-        "try again."
+    assert refused.value.message == error(
+        "cache.not_removed", folder=str(place / "numba"), reason="in use"
     )
 
 

@@ -193,7 +193,7 @@ def test_numbers_with_an_exponent_are_numbers(capsys: pytest.CaptureFixture[str]
     message = refused(
         capsys, "estimate", "--planes", "none.txt", "--lever-arm", "-1e-3", "-.5E-2", "1e-3"
     )
-    assert "no such plane file" in message
+    assert "none.txt: this plane file does not exist" in message
 
 
 def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
@@ -248,10 +248,10 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
     [
         ("truncated trajectory", "cut short"),
         ("empty trajectory", "trajectory.sbet: this SBET file is empty"),
-        ("nan in trajectory", "record 8 holds a value that is not a number"),
-        ("no gps_time", "has no gps_time"),
+        ("nan in trajectory", "record 8 contains NaN"),
+        ("no gps_time", "point format 0 has no GPS time"),
         ("outside the trajectory", "lie outside the trajectory"),
-        ("empty line", "holds no points"),
+        ("empty line", "this file contains no points"),
         ("missing column", "line.txt: no row has four numbers or more"),
     ],
 )

@@ -21,10 +21,12 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.formats import is_las, recognised
 from lispac.io.mesh_file import read_mesh
+from lispac.io.packed import ARCHIVES
 from lispac.io.plane_file import read_table
 from lispac.io.registry import Kind
 from lispac.io.seed_file import looks_like_a_list, read_point_list
 from lispac.io.static_scan import static_scan
+from lispac.messages import error
 from lispac.project import LineSource
 from lispac.workflow.line_chunks import Chunks
 from lispac.workflow.reading import format_of_line, looks
@@ -212,28 +214,32 @@ def test_packed_files_get_a_hint(
         packed.write_bytes(pack(source.read_bytes()))
         said = refused(capsys, "look", packed)
         assert packing in said
-        assert "unpack it" in said
     new = ("new", folder / "p", "--lever-arm", 0, 0, 0)
-    assert "unpack it" in refused(capsys, *new, packed, "--trajectory", trajectory)
-    assert "unpack it" in refused(capsys, *new, lines, "--trajectory", packed)
+    assert packing in refused(capsys, *new, packed, "--trajectory", trajectory)
+    assert packing in refused(capsys, *new, lines, "--trajectory", packed)
     for read in (static_scan, read_point_list):
-        with pytest.raises(InputError, match="unpack it"):
+        with pytest.raises(InputError) as raised:
             read(packed)
+        assert raised.value.code == ("file.archive" if packing in ARCHIVES else "file.compressed")
+        assert raised.value.message is not None
+        assert raised.value.message.params == {"file": str(packed), "format": packing}
 
 
 def test_text_by_gzip_is_read_and_other_text_in_it_is_not(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv.gz", head=files.CSV_HEAD)
     assert looks(path.rename(tmp_path / "line.txt"))[0].format.key == "text"
     path.write_bytes(gzip.compress(b"T1,1.0,2.0,3.0\n"))
-    with pytest.raises(InputError, match="unpack it"):
+    with pytest.raises(InputError) as raised:
         read_point_list(path)
+    assert raised.value.message == error("file.compressed", file=str(path), format="gzip")
 
 
 def test_a_workbook_is_to_be_saved_as_text(tmp_path: Path) -> None:
     path = tmp_path / "seeds.csv"
     path.write_bytes(zipped(b"<Types/>", "[Content_Types].xml"))
-    with pytest.raises(InputError, match="save it as text"):
+    with pytest.raises(InputError) as raised:
         read_point_list(path)
+    assert raised.value.code == "file.office_document"
 
 
 def test_records_that_begin_like_gzip_are_records(tmp_path: Path) -> None:

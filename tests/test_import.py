@@ -153,8 +153,9 @@ def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, whe
     shutil.rmtree(project.folder / "lines")
     with pytest.raises(Cancelled):
         import_line(project, line, trajectory, progress=stop_at(when))
-    with pytest.raises(ProjectError, match="interrupted; import it again"):
+    with pytest.raises(ProjectError) as refused:
         stored_line(project, line, trajectory)
+    assert refused.value.code == "store.interrupted"
     again = import_line(project, line, trajectory).stored.manifest
     assert [c.checksum for c in again.files] == [c.checksum for c in whole.files]
 
@@ -192,7 +193,7 @@ def test_a_store_is_checked_when_its_file_is_gone(project: Project, survey: Surv
     assert "bring it back" in capsys.readouterr().err
     other.path.unlink()  # not imported: said before anything is read
     assert main(["import", str(project.folder)]) == 1
-    assert "other.laz: there is no such line file" in capsys.readouterr().err
+    assert "other.laz: this line file does not exist" in capsys.readouterr().err
 
 
 def test_command_prints_points_and_size(project: Project, capsys) -> None:
@@ -248,8 +249,9 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
     own.path.unlink()
     stored_line(project, own, trajectory)  # the store does without its file
     assert import_lines(project)[0].seconds == 0.0
-    with pytest.raises(InputError, match="no such line file"):
+    with pytest.raises(InputError, match=r"own\.laz") as refused:
         import_lines(project, again=True)
+    assert refused.value.code == "file.not_found"
 
 
 def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(

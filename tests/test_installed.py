@@ -7,14 +7,15 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.installed import resource, user_folder, window_command
+from lispac.messages import error
 
 
 def test_a_file_the_installation_lacks_is_told() -> None:
     assert resource("manual").is_dir()
     with pytest.raises(InputError) as refused:
         resource("manual/no-such-page.md")
-    assert str(refused.value) == (
-        "manual/no-such-page.md is missing from this installation; install it again."
+    assert refused.value.message == error(
+        "installation.file_missing", name="manual/no-such-page.md"
     )
 
 

@@ -7,13 +7,15 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.files import written_whole
+from lispac.io.files import without_path, written_whole
 from lispac.io.formats import format_of
 from lispac.io.las import read_scan, write_points
 from lispac.io.plane_file import read_plane_files, write_plane_file
 from lispac.io.project_file import read_project, write_project
 from lispac.io.registry import PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
+from lispac.language import in_language, is_translated
+from lispac.messages import error
 from lispac.survey.georeferencing import Mounting, Poses, place
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests.report_sample import sample_project
@@ -62,28 +64,33 @@ def _damage(records: np.ndarray, kind: str) -> bytes:
 @pytest.mark.parametrize(
     ("kind", "said"),
     [
-        ("empty", "is empty"),
-        ("truncated", "cut short"),
-        ("nan", "record 5 holds a value that is not a number"),
-        ("backward", "record 6"),
-        ("degrees", "angles seem to be in degrees"),
+        ("empty", "file.empty"),
+        ("truncated", "file.partial_record"),
+        ("nan", "file.record_not_finite"),
+        ("backward", "file.time_order_record"),
+        ("degrees", "sbet.in_degrees"),
         ("one", "at least two"),
     ],
 )
 def test_bad_sbet_is_refused_in_one_sentence(tmp_path: Path, kind: str, said: str) -> None:
     path = tmp_path / "bad.sbet"
     path.write_bytes(_damage(sbet_records(), kind))
-    with pytest.raises(InputError, match=said) as refused:
+    with pytest.raises(InputError) as refused:
         read_sbet(path)
+    assert said in f"{refused.value.code} {refused.value}"
     assert str(path) in str(refused.value)
     assert "\n" not in str(refused.value)
 
 
 def test_missing_file_and_folder_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no such SBET file"):
+    with pytest.raises(InputError) as refused:
         read_sbet(tmp_path / "none.sbet")
-    with pytest.raises(InputError, match="folder"):
+    assert refused.value.message == error(
+        "file.not_found", file=str(tmp_path / "none.sbet"), kind="SBET"
+    )
+    with pytest.raises(InputError) as refused:
         read_sbet(tmp_path)
+    assert refused.value.code == "file.folder"
 
 
 def test_smrmsg_round_trip_in_arc_minutes(tmp_path: Path) -> None:
@@ -128,14 +135,16 @@ def las_file(path: Path, *, point_format: int, version: str, count: int) -> Path
 
 def test_las_without_gps_time_is_refused(tmp_path: Path) -> None:
     path = las_file(tmp_path / "a.las", point_format=0, version="1.2", count=3)
-    with pytest.raises(InputError, match="no gps_time"):
+    with pytest.raises(InputError) as refused:
         read_scan(path)
+    assert refused.value.message == error("las.no_gps_time", file=str(path), format=0)
 
 
 def test_empty_las_is_refused(tmp_path: Path) -> None:
     path = las_file(tmp_path / "a.las", point_format=6, version="1.4", count=0)
-    with pytest.raises(InputError, match="holds no points"):
+    with pytest.raises(InputError) as refused:
         read_scan(path)
+    assert refused.value.message == error("file.no_points", file=str(path))
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz"])
@@ -152,8 +161,9 @@ def test_damaged_las_is_refused(tmp_path: Path, name: str, kept: int) -> None:
 def test_not_las_at_all_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.laz"
     path.write_bytes(b"LASF" + bytes(range(256)) * 4)
-    with pytest.raises(InputError, match="cannot be read as LAS"):
+    with pytest.raises(InputError) as refused:
         read_scan(path)
+    assert refused.value.code == "las.scale"
 
 
 TEXTS = {
@@ -242,7 +252,8 @@ def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyP
     np.savetxt(path, [plane_row(0.0)])
     with pytest.raises(InputError) as refused:
         read_plane_files([path], 0.003)
-    assert str(refused.value) == (f"{path}: this plane file cannot be read; check its permissions.")
+    assert refused.value.code == "file.no_permission"
+    assert str(refused.value).startswith(f"{path}: ")
 
 
 def test_plane_file_round_trip(shared_data: Path, tmp_path: Path) -> None:
@@ -315,8 +326,17 @@ def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path: Path) -> 
 
 def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with (
-        pytest.raises(InputError, match="cannot be written"),
-        written_whole(tmp_path / "file" / "a.txt"),
-    ):
+    with pytest.raises(InputError) as refused, written_whole(tmp_path / "file" / "a.txt"):
         pass
+    assert refused.value.code == "file.not_writable"
+
+
+def test_a_file_that_is_named_already_is_left_out_of_its_error(tmp_path: Path) -> None:
+    path = tmp_path / "none.sbet"
+    with pytest.raises(InputError) as refused:
+        read_sbet(path)
+    assert without_path(str(refused.value), path).startswith("This SBET file ")
+    with in_language("fr"):
+        french = without_path(str(refused.value), path)
+        assert french.startswith("Ce fichier ")
+        assert is_translated(french)

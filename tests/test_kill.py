@@ -111,11 +111,11 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
         try:
             stored = open_store(folder, "L1")
         except ProjectError as error:
-            words = str(error)
-            if words.endswith("is not imported yet; import it."):
+            code = error.code
+            if code == "store.not_imported":
                 said["not imported"] += 1
             else:
-                assert words.endswith("import it again, it goes on where it stood.")
+                assert code == "store.interrupted"
                 said["while ordering" if ordering else "interrupted while reading"] += 1
         else:
             said["complete"] += 1

@@ -10,6 +10,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io import e57, pcd
 from lispac.io.point_formats import POINTS
+from lispac.messages import error
 from tests import point_files as files
 
 FORMATS = {format_.key: format_ for format_ in POINTS}
@@ -42,14 +43,14 @@ end_header
 4 5 6 11
 """
 SOUND = {"pcd": PCD, "ply": PLY}
-DAMAGED = "the header of this PCD file is damaged"
 
 
-def said(path: Path, key: str, choice: dict[str, Any] | None = None) -> str:
-    """What reading says, without the name of the file."""
+def refused_with(path: Path, key: str, code: str, **params: Any) -> None:
+    """Check the message of the error that reading a file raises."""
     with pytest.raises(InputError) as refused:
-        list(FORMATS[key].read(path, choice or {}))
-    return str(refused.value).removeprefix(f"{path}: ")
+        list(FORMATS[key].read(path, {}))
+    assert refused.value.message == error(code, file=str(path), **params)
+    assert str(refused.value).startswith(f"{path}: ")
 
 
 def written(folder: Path, key: str, old: str = "", new: str = "") -> Path:
@@ -68,63 +69,60 @@ def test_the_files_these_are_made_from_are_sound(tmp_path: Path, key: str) -> No
     np.testing.assert_array_equal(chunk.time, [10, 11])
 
 
+FIELD = {"field": "timestamp", "size": "8"}
+
+
 @pytest.mark.parametrize(
-    ("key", "old", "new", "sentence"),
+    ("key", "old", "new", "code", "params"),
     [
-        ("pcd", "DATA ascii\n1 2 3 10\n4 5 6 11\n", "",
-         "this is not PCD: its header is missing or damaged."),
-        ("pcd", "DATA ascii", "DATA hex", "the PCD data kind hex is not known."),
-        ("pcd", "DATA ascii", "DATA", "the PCD data kind missing is not known."),
-        ("pcd", "SIZE 8 8 8 8\n", "",
-         "the header of this PCD file has no SIZE; it is damaged: export it again."),
+        ("pcd", "DATA ascii\n1 2 3 10\n4 5 6 11\n", "", "pcd.header", {}),
+        ("pcd", "DATA ascii", "DATA hex", "pcd.data_kind", {"kind": "hex"}),
+        ("pcd", "DATA ascii", "DATA", "pcd.header_incomplete", {"entries": ("DATA",)}),
+        ("pcd", "SIZE 8 8 8 8\n", "", "pcd.header_incomplete", {"entries": ("SIZE",)}),
         ("pcd", "TYPE F F F F", "TYPE F F F X",
-         f"{DAMAGED} (field timestamp of type X, size 8, 1); export it again."),
+         "pcd.field_type", {**FIELD, "type": "X", "number": "1"}),
         ("pcd", "COUNT 1 1 1 1", "COUNT 1 1 1 0",
-         f"{DAMAGED} (field timestamp of type F, size 8, 0); export it again."),
-        ("pcd", "x y z timestamp", "x y y timestamp",
-         f"{DAMAGED} (two fields of one name); export it again."),
-        ("pcd", "POINTS 2", "POINTS -2", f"{DAMAGED} (points -2)."),
-        ("pcd", PCD[PCD.index("POINTS 2"):], "POINTS 0\nDATA ascii\n",
-         "this line holds no points; leave it out."),
-        ("pcd", "x y z timestamp", "x y up timestamp",
-         "the points have no z (fields: x, y, up, timestamp); export them with coordinates and "
-         "time."),
-        ("pcd", "COUNT 1 1 1 1", "COUNT 1 1 1 2",
-         "point 1 reads '1 2 3 10', which is not 4 numbers as the header says; copy or export it "
-         "again."),
-        ("ply", "format ascii 1.0\n", "", "the PLY format missing is not known."),
-        ("ply", "element vertex", "element corner", "this PLY file has no vertices."),
-        ("ply", "vertex 2", "vertex -2", "the header of this PLY file is damaged (count -2)."),
-        ("ply", "vertex 2", f"vertex {2**49}",
-         f"the header of this PLY file is damaged (count {2**49})."),
+         "pcd.field_type", {**FIELD, "type": "F", "number": "0"}),
+        ("pcd", "SIZE 8 8 8 8", "SIZE 8 8 8 x", "pcd.header_damaged",
+         {"reason": "invalid literal for int() with base 10: 'x'"}),
+        ("pcd", "x y z timestamp", "x y y timestamp", "pcd.duplicate_field", {}),
+        ("pcd", "POINTS 2", "POINTS -2", "pcd.point_count", {"header": -2}),
+        ("pcd", PCD[PCD.index("POINTS 2"):], "POINTS 0\nDATA ascii\n", "file.no_points", {}),
+        ("pcd", "x y z timestamp", "x y up timestamp", "file.no_coordinates",
+         {"axes": ("z",), "fields": ("x", "y", "up", "timestamp")}),
+        ("pcd", "COUNT 1 1 1 1", "COUNT 1 1 1 2", "file.point_not_numbers",
+         {"point": 1, "text": "1 2 3 10", "values": 4}),
+        ("ply", "format ascii 1.0\n", "", "ply.no_format", {}),
+        ("ply", "format ascii 1.0\n", "format text 1.0\n", "ply.format", {"format": "text"}),
+        ("ply", "element vertex", "element corner", "ply.no_vertices", {}),
+        ("ply", "vertex 2", "vertex -2", "ply.count", {"text": "-2"}),
+        ("ply", "vertex 2", f"vertex {2**49}", "ply.count", {"text": str(2**49)}),
         ("ply", PLY[PLY.index("vertex 2"):],
          PLY[PLY.index("vertex 2"):].replace("vertex 2", "vertex 0").partition("1 2 3")[0],
-         "this line holds no points; leave it out."),
-        ("ply", "double z", "double y", "vertex has two properties y; export it again."),
-        ("ply", "property double view\n", "", "camera has no properties; export it again."),
-        ("ply", "double time", "real time",
-         "vertex has the property time of type real, which no point of a line has; export points "
-         "alone, without faces."),
-        ("ply", "camera 2", "camera 9",
-         "the header promises 2 points, the file has room for 0; it is cut short: copy or export "
-         "it again."),
-        ("ply", "4 5 6 11\n", "",
-         "the header promises 2 points, the file holds 1; copy or export it again."),
-        ("ply", "4 5 6 11", "4 5 6",
-         "point 2 reads '4 5 6', which is not 4 numbers as the header says; copy or export it "
-         "again."),
+         "file.no_points", {}),
+        ("ply", "double z", "double y", "ply.duplicate_property",
+         {"element": "vertex", "property": "y"}),
+        ("ply", "property double view\n", "", "ply.no_properties", {"element": "camera"}),
+        ("ply", "double time", "real time", "ply.property_type",
+         {"element": "vertex", "property": "time", "type": "real"}),
+        ("ply", "double time", "time", "ply.property_without_type",
+         {"element": "vertex", "property": "time"}),
+        ("ply", "camera 2", "camera 9", "file.points_no_room", {"header": 2, "room": 0}),
+        ("ply", "4 5 6 11\n", "", "file.points_missing", {"header": 2, "held": 1}),
+        ("ply", "4 5 6 11", "4 5 6", "file.point_not_numbers",
+         {"point": 2, "text": "4 5 6", "values": 4}),
     ],
 )  # fmt: skip
 def test_a_header_that_cannot_be_is_refused(
-    tmp_path: Path, key: str, old: str, new: str, sentence: str
+    tmp_path: Path, key: str, old: str, new: str, code: str, params: dict[str, Any]
 ) -> None:
-    assert said(written(tmp_path, key, old, new), key) == sentence
+    refused_with(written(tmp_path, key, old, new), key, code, **params)
 
 
 def test_a_time_of_two_values_a_point_is_refused(tmp_path: Path) -> None:
     path = written(tmp_path, "pcd", "COUNT 1 1 1 1", "COUNT 1 1 1 2")
     path.write_text(path.read_text().replace(" 10\n", " 10 0\n").replace(" 11\n", " 11 0\n"))
-    assert said(path, "pcd") == "the field timestamp holds more than one value a point."
+    refused_with(path, "pcd", "file.several_values", field="timestamp")
 
 
 def test_a_viewpoint_is_told_and_not_applied(tmp_path: Path) -> None:
@@ -168,17 +166,17 @@ def compressed(folder: Path, count: int, packed: bytes, whole: int | None = None
 
 
 def test_compressed_points_that_make_no_sense(tmp_path: Path) -> None:
-    damaged = "the compressed points are damaged; copy or export it again."
     numbers = np.array([[1, 4], [2, 5], [3, 6], [10, 11]], dtype="<f8").tobytes()
     plain = b"\x1f" + numbers[:32] + b"\x1f" + numbers[32:]  # two runs of bytes as they are
     (chunk,) = FORMATS["pcd"].read(compressed(tmp_path, 2, plain), {})
     np.testing.assert_array_equal(chunk.xyz, [[1, 2, 3], [4, 5, 6]])
     # Bytes again that were never written; runs beyond the end; too few; and a bomb.
     for packed in (b"\x20\x05" + plain, plain[:-1], plain[:33], b"\xe0", b"\xe0\x01", b"\x20"):
-        assert said(compressed(tmp_path, 2, packed), "pcd") == damaged
-    assert said(compressed(tmp_path, 1_000_000, plain), "pcd") == damaged
-    assert "do not fit the header" in said(compressed(tmp_path, 2, plain, 63), "pcd")
-    assert said(compressed(tmp_path, 0, b""), "pcd") == "this line holds no points; leave it out."
+        refused_with(compressed(tmp_path, 2, packed), "pcd", "pcd.compressed_damaged")
+    refused_with(compressed(tmp_path, 1_000_000, plain), "pcd", "pcd.compressed_damaged")
+    path = compressed(tmp_path, 2, plain, 63)
+    refused_with(path, "pcd", "pcd.compressed_size", header=2, size=path.stat().st_size)
+    refused_with(compressed(tmp_path, 0, b""), "pcd", "file.no_points")
 
 
 def test_a_chunk_without_a_return_is_passed_over(
@@ -193,19 +191,17 @@ def test_a_chunk_without_a_return_is_passed_over(
 
 def test_e57_without_points_times_or_coordinates(tmp_path: Path) -> None:
     none = files.e57(tmp_path / "none.e57", count=0, scans=1)
-    assert said(none, "e57") == "this file holds no points; leave it out."
+    refused_with(none, "e57", "file.no_points")
     timeless = files.e57(tmp_path / "timeless.e57", timed=False)
-    assert said(timeless, "e57") == (
-        "the points have no timeStamp (fields: cartesianX, cartesianY, cartesianZ, rowIndex), so "
-        "they cannot be put on the trajectory; export with time stamps."
-    )
+    fields = ("cartesianX", "cartesianY", "cartesianZ", "rowIndex")
+    refused_with(timeless, "e57", "e57.no_time", fields=fields)
     flat = files.e57(tmp_path / "flat.e57", without=("cartesianZ",))
-    assert said(flat, "e57") == "the points have no coordinates; export the file again."
+    refused_with(flat, "e57", "e57.no_coordinates")
 
 
 def test_e57_scans_of_different_fields(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", first_without=("rowIndex",))
-    assert said(path, "e57") == "its scans have different fields; export them one by one."
+    refused_with(path, "e57", "e57.different_fields")
 
 
 @pytest.mark.parametrize(
@@ -231,10 +227,7 @@ def test_e57_poses_of_which_parts_are_left_out(
 
 def test_e57_with_a_quaternion_that_is_no_rotation(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", quaternion=(0.5, 0, 0, 0))
-    assert said(path, "e57") == (
-        "cannot be read as E57 (the quaternion of a pose has length 0.500); copy or export it "
-        "again."
-    )
+    refused_with(path, "e57", "e57.pose", norm=0.5)
 
 
 def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
@@ -247,7 +240,7 @@ def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "b.e57", invalid=True, none_valid_of=60)
     with pytest.raises(InputError) as refused:
         FORMATS["e57"].look(path, {})
-    assert str(refused.value) == f"{path}: this line holds no points; leave it out."
+    assert refused.value.message == error("file.no_points", file=str(path))
 
 
 def crc32c(data: bytes) -> int:
@@ -272,4 +265,4 @@ def test_e57_that_promises_more_points_than_it_holds(tmp_path: Path) -> None:
             for k in range(0, len(plain), 1020)
         )
     )
-    assert said(path, "e57") == ("a scan promises 90 points and holds 60; copy or export it again.")
+    refused_with(path, "e57", "e57.points_missing", header=90, held=60)

@@ -110,21 +110,6 @@ def test_it_is_looked_at_as_a_cloud_without_time(tmp_path: Path) -> None:
         ("", "this static scan file is empty"),
         ("\n \n", "holds no points"),
         ("0\n", "holds no points"),
-        ("2\n1 2 3\n", "ends after point 1 of the 2 that row 1 promises, so it is cut short"),
-        ("1\n1 2 3\n9\n", "ends after point 0 of the 9 that row 3 promises"),
-        ("2\n1 2 3 4\n1 2 3", "row 3: 3 columns where 4 are needed"),
-        ("1\n1 2\n", "row 2: 2 columns where 3 are needed"),
-        ("1\n1 2 3\n4 5 6\n", "row 3: the points that row 1 promises (1) end above this row"),
-        ("3\n1 2 3\n1\n4 5 6\n", "row 3: a new number of points stands here after 1 of the 3"),
-        ("1 2 3\n4 5\n", "row 2: 2 columns where 3 are needed"),
-        ("1 2 3\n4 5 6\n1\n7 8 9\n", "row 3: 1 columns where 3 are needed"),
-        ("1 2 3\n4,5 5 6\n", "row 2: PTS has decimal points"),
-        ("1 2\n", "row 1: a PTS file begins with its number of points, and this is '1 2"),
-        ("1,000\n", "row 1: a PTS file begins with its number of points"),
-        ("-1\n", "row 1: a PTS file begins with its number of points"),
-        ("9" * 5000 + "\n", "row 1: a PTS file begins with its number of points"),
-        ("2\n1 2 3\n1,5 2,5 3,5\n", "row 3: PTS has decimal points"),
-        ("//X;Y;Z\n1\n1.5;2.5;3.5\n", "row 3: PTS has decimal points"),
         ("2\n1 2 3\n4 y 6\n", 'row 3: y is "y", which is not a usable value'),
         ("2\n1 2 3\n4 5 nan\n", "point 2 has a coordinate that is not a usable number"),
         ("2\n1 2 3\n4 1e300 6\n", "point 2 has a coordinate that is not a usable number"),
@@ -140,6 +125,41 @@ def test_refusals(tmp_path: Path, text: str, said: str) -> None:
     assert said in sentence
     assert sentence.startswith(str(path))
     assert sentence.endswith(".")
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "params"),
+    [
+        ("2\n1 2 3\n", "pts.points_missing", {"held": 1, "points": 2, "head": 1}),
+        ("1\n1 2 3\n9\n", "pts.points_missing", {"held": 0, "points": 9, "head": 3}),
+        ("2\n1 2 3 4\n1 2 3", "pts.columns", {"row": 3, "count": 3, "width": 4}),
+        ("1\n1 2\n", "pts.columns", {"row": 2, "count": 2, "width": 3}),
+        ("1\n1 2 3\n4 5 6\n", "pts.count_expected", {"row": 3, "points": 1, "head": 1}),
+        (
+            "3\n1 2 3\n1\n4 5 6\n", "pts.early_count",
+            {"row": 3, "held": 1, "points": 3, "head": 1},
+        ),
+        ("1 2 3\n4 5\n", "pts.columns", {"row": 2, "count": 2, "width": 3}),
+        ("1 2 3\n4 5 6\n1\n7 8 9\n", "pts.columns", {"row": 3, "count": 1, "width": 3}),
+        ("1 2 3\n4,5 5 6\n", "pts.separators", {"row": 2}),
+        ("1 2\n", "pts.no_count", {"row": 1, "text": "1 2"}),
+        ("1,000\n", "pts.no_count", {"row": 1, "text": "1,000"}),
+        ("-1\n", "pts.no_count", {"row": 1, "text": "-1"}),
+        ("9" * 5000 + "\n", "pts.no_count", {"row": 1, "text": "9" * 40}),
+        ("2\n1 2 3\n1,5 2,5 3,5\n", "pts.separators", {"row": 3}),
+        ("//X;Y;Z\n1\n1.5;2.5;3.5\n", "pts.separators", {"row": 3}),
+    ],
+)  # fmt: skip
+def test_blocks_that_are_refused(
+    tmp_path: Path, text: str, code: str, params: dict[str, object]
+) -> None:
+    path = tmp_path / "scan.pts"
+    path.write_text(text)
+    with pytest.raises(InputError) as refused:
+        places(path)
+    assert refused.value.code == code
+    assert refused.value.message is not None
+    assert refused.value.message.params == {"file": str(path), **params}
 
 
 def test_a_cut_within_a_block_is_noticed(tmp_path: Path) -> None:

@@ -164,7 +164,7 @@ def test_what_makes_no_sense_is_refused(calibrated, tmp_path, capsys, options, s
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        ("", "file is empty; copy or export it again"),
+        ("", "file is empty."),
         ("x y z\n1 2 3\n4 5 6\n", "its points have no times, so it is no line: export it with"),
         ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "its points have no times, so it is no line"),
     ],

@@ -107,7 +107,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
         ("language = 'de'", "There is no translation into 'de'; choose one of en, fr"),
         ("convention = 'lidarsoft'", "lidarsoft: there is no convention of this name"),
         ("company = Fleuve", "this report template is no TOML file"),
-        ("logo = 'none.png'", r"none\.png: there is no such logo file"),
+        ("logo = 'none.png'", r"none\.png: this logo file does not exist"),
         ("logo = 'own.toml'", "a logo is a PNG or SVG picture; this file is neither"),
         ('heading = "a\\u0007b"', "heading is longer than 2,000 letters or holds one that"),
     ],
@@ -122,8 +122,9 @@ def test_a_bad_template_is_refused_in_one_sentence(tmp_path: Path, text: str, sa
 
 
 def test_a_template_that_is_not_there_or_not_text_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="there is no such report template file"):
+    with pytest.raises(InputError, match="report template") as refusal:
         report_options(tmp_path / "gone.toml")
+    assert refusal.value.code == "file.not_found"
     (tmp_path / "odd.toml").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InputError, match="is no TOML file"):
         report_options(tmp_path / "odd.toml")

@@ -130,11 +130,12 @@ def test_a_line_imported_again_meanwhile_is_said(
     survey = load_survey(project)
     if not meanwhile:
         import_lines(project, again=True)
-    with pytest.raises(ProjectError, match=r"imported again since it was opened.*open the project"):
+    with pytest.raises(ProjectError) as refused:
         save_project_as(
             project, survey, tmp_path / "office",
             progress=again(project) if meanwhile else lambda fraction, words="": None,
         )  # fmt: skip
+    assert refused.value.code == "store.imported_again"
     assert not (tmp_path / "office").exists()
 
 

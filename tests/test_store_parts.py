@@ -13,6 +13,7 @@ import pytest
 
 from lispac import locks
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.survey.store import reading
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.cells import drawn, sorting
@@ -34,7 +35,7 @@ from lispac.survey.store.reading import open_store
 from lispac.survey.store.runs import gathered, in_pieces, rows_of
 from lispac.survey.store.stamps import remember
 from lispac.survey.store.writing import write_store
-from tests.store_lines import RECIPE, Line, place, small, stored
+from tests.store_lines import RECIPE, Line, place, small, stored, why
 
 __all__ = ["small"]
 pytestmark = pytest.mark.usefixtures("small")
@@ -106,56 +107,57 @@ def test_a_column_of_what_no_import_writes_is_damage(tmp_path: Path) -> None:
     manifest = stored(tmp_path, Line(80)).manifest
     odd = replace(manifest.attributes[0], dtype="<U4")
     write_manifest(tmp_path, replace(manifest, attributes=(odd, *manifest.attributes[1:])))
-    with pytest.raises(DamagedStore, match=r"damaged \(a column of <U4\); import the line again"):
+    with pytest.raises(DamagedStore, match="<U4") as refused:
         open_store(tmp_path, "L1")
+    assert why(refused.value) == "store.column_type"
 
 
 def test_a_column_of_another_type_than_stated_is_damage(tmp_path: Path) -> None:
     np.save(tmp_path / "time.npy", np.zeros(5, np.float32))
     with pytest.raises(ProjectError) as refused:
         opened(tmp_path, Column("time", "<f8", file="time.npy", count=5), 5)
-    assert str(refused.value) == (
-        f"{tmp_path / 'time.npy'}: this part of an imported line is damaged (it holds float32 of "
-        "shape (5,)); import the line again."
-    )
+    assert why(refused.value) == "store.part_type"
+    assert "time.npy" in str(refused.value)
+    assert "float32" in str(refused.value)
 
 
 @pytest.mark.parametrize(
-    ("error", "size", "said"),
+    ("failure", "size", "code", "params"),
     [
         (
             OSError(errno.EFBIG, "File too large"), 3_300_000_000,
-            "files cannot grow as large as this line needs (about 3.3 GB while importing); move "
-            "the project to a disk that takes large files, then import the line again.",
+            "store.file_too_large_size", {"size": 3_300_000_000},
         ),
+        (OSError(errno.EFBIG, "File too large"), None, "store.file_too_large", {}),
         (
-            OSError(errno.EFBIG, "File too large"), None,
-            "files cannot grow as large as this line needs; move the project to a disk that takes "
-            "large files, then import the line again.",
-        ),
-        (
-            OSError("block 2 of the import is cut short"), 40_000_000,
-            "what the import has written cannot be read back (block 2 of the import is cut "
-            "short); check the disk, then import the line again.",
+            OSError("not as written"), 40_000_000,
+            "store.not_read_back", {"reason": "not as written"},
         ),
         (
             OSError(errno.ENOSPC, "No space left"), 40_000_000,
-            "the disk is full; make room (about 40 MB while importing) or move the project to a "
-            "larger disk, then import the line again.",
+            "store.disk_full_size", {"size": 40_000_000},
         ),
+        (OSError(errno.EDQUOT, "Disk quota exceeded"), None, "store.disk_full", {}),
         (
             OSError(errno.EROFS, "Read-only file system"), None,
-            "the line cannot be written here (Read-only file system); choose a project folder "
-            "that can be written, then import the line again.",
+            "store.not_writable", {"reason": "Read-only file system"},
         ),
     ],
 )  # fmt: skip
-def test_what_the_system_says_against_writing_is_one_sentence(
-    tmp_path: Path, error: OSError, size: int | None, said: str
+def test_errors_of_the_system_while_writing_have_codes(
+    tmp_path: Path, failure: OSError, size: int | None, code: str, params: dict[str, object]
 ) -> None:
     with pytest.raises(ProjectError) as refused, plainly_written(tmp_path, lambda: size):
-        raise error
-    assert str(refused.value) == f"{tmp_path}: {said}"
+        raise failure
+    assert refused.value.code == code
+    assert refused.value.message is not None
+    assert refused.value.message.params == {"folder": str(tmp_path), **params}
+
+
+def test_room_that_an_import_needs_is_shown_in_megabytes(tmp_path: Path) -> None:
+    with pytest.raises(ProjectError) as refused, plainly_written(tmp_path, lambda: 40_000_000):
+        raise OSError(errno.ENOSPC, "No space left")
+    assert " 40.0 MB" in str(refused.value)
 
 
 def test_a_block_cut_short_on_the_disk_is_not_taken_for_whole(tmp_path: Path) -> None:
@@ -170,20 +172,18 @@ def test_a_block_cut_short_on_the_disk_is_not_taken_for_whole(tmp_path: Path) ->
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, line.pieces(1000), cutting)
-    assert str(refused.value) == (
-        f"{tmp_path}: what the import has written cannot be read back (block 2 of the import is "
-        "cut short); check the disk, then import the line again."
-    )
+    assert refused.value.message == error("store.block_cut_short", folder=str(tmp_path), block=2)
     assert len(stored(tmp_path, line)) == 4000
 
 
 def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path / "L1", RECIPE, lambda first: iter(()), place)
-    assert str(refused.value) == "a.las: there is no point in it; leave the line out."
+    assert refused.value.message == error("store.no_points", file="a.las")
     assert not is_imported(tmp_path / "L1")
-    with pytest.raises(ProjectError, match="L1: this line is not imported yet"):
+    with pytest.raises(ProjectError) as refused:
         open_store(tmp_path / "L1", "L1")
+    assert refused.value.message == error("store.not_imported", line="L1")
 
 
 def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
@@ -192,8 +192,8 @@ def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, far_on, place)
-    assert str(refused.value) == (
-        "a.las: a line cannot have more than 4,294,967,295 points; split the file."
+    assert refused.value.message == error(
+        "store.too_many_points", file="a.las", limit=4_294_967_295
     )
 
 
@@ -211,8 +211,9 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
     monkeypatch.setattr(locks, "_lock", too_late)
     with locked(tmp_path):
         assert is_held(tmp_path)
-        with pytest.raises(ProjectError, match="imported already"), locked(tmp_path):
+        with pytest.raises(ProjectError) as refused, locked(tmp_path):
             pass
+        assert refused.value.code == "store.locked"
     assert not is_held(tmp_path)
 
 

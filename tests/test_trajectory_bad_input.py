@@ -47,8 +47,9 @@ def good(key: str, path: Path) -> Path:
 
 
 def refused(key: str, path: Path, choice: dict[str, str] | None = None) -> str:
-    """The text of `error_of`."""
-    return str(error_of(key, path, choice))
+    """Code and text of `error_of`."""
+    error = error_of(key, path, choice)
+    return f"{error.code} {error}".lstrip()
 
 
 def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> InputError:
@@ -60,8 +61,9 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
     assert "\n" not in told
     assert told.endswith((".", ".)"))
     assert re.search(
-        r"export|choose|check|state|give|sort|copy|name |there is no such", told, re.IGNORECASE
-    ), told
+        r"export|choose|check|state|give|sort|copy|name |read the file as|does not exist",
+        told, re.IGNORECASE,
+    ), told  # fmt: skip
     return error.value
 
 
@@ -87,7 +89,7 @@ def test_sound_file_is_read(tmp_path: Path, key: str) -> None:
 @pytest.mark.parametrize("key", EVERY)
 def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
     (tmp_path / "empty").touch()
-    for name, words in (("none", "no such"), ("empty", "empty|nothing"), (".", "folder")):
+    for name, words in (("none", "not_found"), ("empty", "empty|nothing"), (".", "file.folder")):
         path = tmp_path / name
         assert re.search(words, refused(key, path))
         assert format_of(key).sniff(path) == 0
@@ -98,7 +100,7 @@ def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
 def test_cut_short_binary(tmp_path: Path, key: str) -> None:
     path = good(key, tmp_path / "a.out")
     path.write_bytes(path.read_bytes()[:-20])
-    assert "cut short" in refused(key, path)
+    assert "file.partial_record" in refused(key, path)
     assert any("cut short" in doubt for doubt in format_of(key).look(path, {}).doubts)
     assert recognised(path, format_of(key).kind)[0][0].key == key
 
@@ -162,11 +164,17 @@ def through_32_bits(records: np.ndarray) -> None:
 
 
 SBET_MATRIX = {
-    "not a number": (put(4, 8, np.nan), "record 5 holds a value that is not a number"),
-    "infinite": (put(6, 1, np.inf), "record 7 holds a value that is not a number"),
-    "duplicate time": (put(5, 0, 486_000.08), r"record 6 \(1 repeat of 200\)"),
-    "backward time": (put(5, 0, 486_000.0), r"record 6 \(1 run backward of 200\)"),
-    "32-bit time": (through_32_bits, "steps of 0.03125 s"),
+    "not a number": (put(4, 8, np.nan), "file.record_not_finite .* record 5 "),
+    "infinite": (put(6, 1, np.inf), "file.record_not_finite .* record 7 "),
+    "duplicate time": (
+        put(5, 0, 486_000.08),
+        "file.time_order_record .* record 6 .* Repeated times: 1, .* 0, of 200",
+    ),
+    "backward time": (
+        put(5, 0, 486_000.0),
+        "file.time_order_record .* record 6 .* Repeated times: 0, .* 1, of 200",
+    ),
+    "32-bit time": (through_32_bits, "file.time_steps_record .* steps of 0.0312 s"),
 }
 SBET_CODES: dict[str, tuple[Callable[[np.ndarray], None], str, dict[str, object]]] = {
     "degrees": (in_degrees, "sbet.in_degrees", {"record": 1}),
@@ -261,8 +269,9 @@ def test_backward_time_in_text(tmp_path: Path, key: str, column: int, value: str
     path = edited(key, tmp_path / "a.txt", field(3, column, value))
     row = len(path.read_text().splitlines()) - 2
     told = refused(key, path)
+    assert "file.time_order_row" in told
     assert f"row {row} " in told
-    assert "1 run backward of 200" in told
+    assert "decreasing times: 1, of 200" in told
 
 
 @pytest.mark.parametrize(("key", "name"), [("exail-text", "pitch"), ("pospac-text", "PITCH")])

@@ -26,7 +26,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, Option, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import Level, Message, Value
+from lispac.messages import Level, Message, Value, error
 
 Array = NDArray[np.float64]
 
@@ -67,7 +67,7 @@ def look(path: Path, choice: Choice) -> Finding:
         looked.close()
         invalid = sum(invalid_count(image, scan) for scan in scans)
     if stored is None:
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("file.no_points", file=str(path)))
     count = sum(scan.count for scan in scans)
     stamps = stored["timeStamp"]
     doubts: list[str] = []
@@ -134,10 +134,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         scans = scans_of(image, path)
         total = sum(scan.count for scan in scans)
         if settled["time_from"] == START and not all(scan.start for scan in scans):
-            raise InputError(
-                f"{path}: the scans do not say when they started; take the time stamps as they "
-                "are (option time_from: zero)."
-            )
+            raise InputError(error("e57.no_start", file=str(path)))
         for scan in scans:
             for stored in stored_points(image, scan, path, CHUNK, done):
                 done += len(stored["timeStamp"])

@@ -20,6 +20,7 @@ from lispac.errors import InputError
 from lispac.io.e57_packets import surplus
 from lispac.io.files import plain_name
 from lispac.io.points import CHUNK, require_points
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -74,11 +75,8 @@ def opened(path: Path) -> Iterator[Any]:
     _require_sound_header(path)
     try:
         from pye57 import libe57
-    except ImportError as error:
-        raise InputError(
-            f"{path}: E57 cannot be read on this system (pye57 has no build for it); "
-            "convert the file to LAZ."
-        ) from error
+    except ImportError as failure:
+        raise InputError(error("e57.not_supported", file=str(path))) from failure
     with plain_name(path) as name:
         image = libe57.ImageFile(str(name), "r")
         try:
@@ -98,13 +96,10 @@ def _require_sound_header(path: Path) -> None:
     with path.open("rb") as file:
         header = file.read(48)
     if len(header) < 48 or header[:8] != b"ASTM-E57":
-        raise InputError(f"{path}: this is not E57: its header is missing or damaged.")
+        raise InputError(error("e57.header", file=str(path)))
     length, xml_start, xml_length, page = struct.unpack_from("<4Q", header, 16)
     if length != size or page != PAGE or not 48 <= xml_start < size or xml_length > size:
-        raise InputError(
-            f"{path}: the header of this E57 file speaks of {length:,} bytes, it has {size:,}; "
-            "it is cut short or damaged: copy or export it again."
-        )
+        raise InputError(error("e57.size", file=str(path), header=length, size=size))
 
 
 def scans_of(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
@@ -121,17 +116,14 @@ def scans_of(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     """
     nodes = image.root()["data3D"]
     for counted, held in surplus(path, [nodes[k]["points"] for k in range(len(nodes))]):
-        raise InputError(
-            f"{path}: a scan counts {counted:,} points and holds {held:,}, and no more than it "
-            "counts can be read; export it again."
-        )
+        raise InputError(error("e57.points_not_counted", file=str(path), header=counted, held=held))
     scans = [_scan(nodes[k], path, timed) for k in range(len(nodes))]
     scans = [scan for scan in scans if scan.count]
     if not scans:
-        raise InputError(f"{path}: this file holds no points; leave it out.")
+        raise InputError(error("file.no_points", file=str(path)))
     for before, after in pairwise(scans):
         if set(before.fields) != set(after.fields):
-            raise InputError(f"{path}: its scans have different fields; export them one by one.")
+            raise InputError(error("e57.different_fields", file=str(path)))
     return scans
 
 
@@ -151,28 +143,25 @@ def _scan(node: Any, path: Path, timed: bool) -> Scan:
             fields[name] = np.dtype(np.float64)
         if name == "timeStamp" and kind == libe57.E57_FLOAT:
             single_time = libe57.FloatNode(field).precision() == libe57.E57_SINGLE
-    if timed and "timeStamp" not in fields:
-        raise InputError(
-            f"{path}: the points have no timeStamp (fields: {', '.join(fields) or 'none'}), so "
-            "they cannot be put on the trajectory; export with time stamps."
-        )
+    if timed and fields and "timeStamp" not in fields:
+        raise InputError(error("e57.no_time", file=str(path), fields=tuple(fields)))
     if single_time:
         fields["timeStamp"] = np.dtype(np.float32)
     if not any(set(axes) <= set(fields) for axes in (CARTESIAN, SPHERICAL)):
-        raise InputError(f"{path}: the points have no coordinates; export the file again.")
-    rotation, translation = _pose(node)
+        raise InputError(error("e57.no_coordinates", file=str(path)))
+    rotation, translation = _pose(node, path)
     start = 0.0
     if node.isDefined("acquisitionStart"):
         start = float(node["acquisitionStart"]["dateTimeValue"].value())
     return Scan(node, int(points.childCount()), fields, start, rotation, translation)
 
 
-def _pose(node: Any) -> tuple[Array, Array]:
+def _pose(node: Any, path: Path) -> tuple[Array, Array]:
     """Rotation matrix and translation from the scan to the file; a part left out is zero.
 
     Raises
     ------
-    ValueError
+    InputError
         Where its quaternion is no rotation.
     """
     rotation, translation = np.eye(3), np.zeros(3)
@@ -185,7 +174,7 @@ def _pose(node: Any) -> tuple[Array, Array]:
         w, x, y, z = (float(pose["rotation"][axis].value()) for axis in "wxyz")
         norm = np.sqrt(w * w + x * x + y * y + z * z)
         if not 0.99 < norm < 1.01:
-            raise ValueError(f"the quaternion of a pose has length {norm:.3f}")
+            raise InputError(error("e57.pose", file=str(path), norm=float(norm)))
         w, x, y, z = w / norm, x / norm, y / norm, z / norm
         rotation = np.array(
             [
@@ -225,10 +214,7 @@ def stored_points(
             require_points(xyz[valid], some["timeStamp"], path, before + done - len(valid))
         yield dict(zip("xyz", xyz[valid].T, strict=True)) | some
     if done != scan.count:
-        raise InputError(
-            f"{path}: a scan promises {scan.count:,} points and holds {done:,}; "
-            "copy or export it again."
-        )
+        raise InputError(error("e57.points_missing", file=str(path), header=scan.count, held=done))
 
 
 def _columns(

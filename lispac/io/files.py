@@ -8,7 +8,7 @@ import shutil
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -17,9 +17,42 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.packed import require_unpacked
+from lispac.language import is_translated, mark_translated
 from lispac.locks import is_locked, try_lock
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.survey.time_quality import time_quality
+
+KINDS: Mapping[str, Message] = {
+    "line": note("file.kind_line"),
+    "trajectory": note("file.kind_trajectory"),
+    "trajectory accuracy": note("file.kind_accuracy"),
+    "survey": note("file.kind_survey"),
+    "text": note("file.kind_text"),
+    "Exail text": note("file.kind_exail_text"),
+    "POSPac text": note("file.kind_pospac_text"),
+    "CIDCO binary": note("file.kind_cidco"),
+    "LAS or LAZ": note("file.kind_las"),
+    "plane": note("file.kind_plane"),
+    "target": note("file.kind_target"),
+    "a target as CSV": note("file.kind_target_csv"),
+    "coordinate list": note("file.kind_coordinate_list"),
+    "static scan": note("file.kind_static_scan"),
+    "text of a static scan": note("file.kind_static_scan_text"),
+    "mesh": note("file.kind_mesh"),
+    "scene": note("file.kind_scene"),
+    "scanner": note("file.kind_scanner"),
+    "vessel": note("file.kind_vessel"),
+    "plan": note("file.kind_plan"),
+    "report template": note("file.kind_report_template"),
+    "logo": note("file.kind_logo"),
+    "certificate": note("file.kind_certificate"),
+}
+"""Kinds of files with a name to be translated; the others are names of formats."""
+
+
+def kind_of_file(what: str) -> Message | str:
+    """What a file is, as the parameter ``kind`` of a message: ``line``, ``SBET``."""
+    return KINDS.get(what, what)
 
 
 def require_file(path: Path, what: str) -> Path:
@@ -36,23 +69,28 @@ def require_file(path: Path, what: str) -> Path:
         there = path.exists()
     except (OSError, ValueError):  # a name that is too long, or has a null character
         there = False
+    kind = kind_of_file(what)
     if not there:
-        raise InputError(f"{path}: there is no such {what} file; check the path.")
+        raise InputError(error("file.not_found", file=str(path), kind=kind))
     if not path.is_file():
-        raise InputError(f"{path}: this is a {_kind(path)}, not a {what} file; choose a file.")
+        raise InputError(_not_a_file(path, kind))
     if not os.access(path, os.R_OK):
-        raise InputError(f"{path}: this {what} file cannot be read; check its permissions.")
+        raise InputError(error("file.no_permission", file=str(path), kind=kind))
     require_unpacked(path, text=True)
     return path
 
 
-def _kind(path: Path) -> str:
-    """What a path is that is no file."""
-    kinds = {
-        "named pipe (FIFO)": Path.is_fifo, "socket": Path.is_socket,
-        "device": Path.is_char_device, "disk device": Path.is_block_device,
-    }  # fmt: skip
-    return next((name for name, is_kind in kinds.items() if is_kind(path)), "folder")
+def _not_a_file(path: Path, kind: Message | str) -> Message:
+    """What a path is instead of a file."""
+    if path.is_fifo():
+        return error("file.pipe", file=str(path), kind=kind)
+    if path.is_socket():
+        return error("file.socket", file=str(path), kind=kind)
+    if path.is_char_device():
+        return error("file.device", file=str(path), kind=kind)
+    if path.is_block_device():
+        return error("file.disk", file=str(path), kind=kind)
+    return error("file.folder", file=str(path), kind=kind)
 
 
 @contextmanager
@@ -96,27 +134,27 @@ def read_records(
         Where the file is missing, empty, cut short or holds values that are not numbers.
     """
     require_file(path, what)
-    size, record = path.stat().st_size, 8 * columns
+    size, record, kind = path.stat().st_size, 8 * columns, kind_of_file(what)
     if size == 0:
-        raise InputError(f"{path}: this {what} file is empty; export it again.")
+        raise InputError(error("file.empty", file=str(path), kind=kind))
     if size % record:
         raise InputError(
-            f"{path}: {size:,} bytes are not a whole number of {record}-byte {what} records "
-            f"(the last one has {size % record}); the file is cut short or not {what}: "
-            "copy or export it again."
-        )
+            error(
+                "file.partial_record", file=str(path), kind=kind, size=size, record=record,
+                rest=size % record,
+            )
+        )  # fmt: skip
     try:
         records = np.fromfile(path, dtype=f"{byte_order}f8").reshape(-1, columns)
-    except (OSError, ValueError, MemoryError) as error:
+    except (OSError, ValueError, MemoryError) as failure:
         raise InputError(
-            f"{path}: this {what} file cannot be read to its end ({error}); "
-            "check that the disk is there and nothing else writes to it."
-        ) from error
+            error("file.not_readable", file=str(path), reason=str(failure))
+        ) from failure
     bad = ~np.isfinite(records).all(axis=1)
     if bad.any():
+        first, count = int(np.argmax(bad)) + 1, int(bad.sum())
         raise InputError(
-            f"{path}: {what} record {int(np.argmax(bad)) + 1:,} holds a value that is not a "
-            f"number ({such(int(bad.sum()), 'record')}); export it again."
+            error("file.record_not_finite", file=str(path), kind=kind, record=first, count=count)
         )
     return records.astype(np.float64, copy=False)
 
@@ -141,36 +179,41 @@ def require_increasing(
     quality = time_quality(time)
     if quality.first_disorder is None:
         return
-    k = quality.first_disorder
-    place = f"row {numbers[k]:,}" if numbers is not None else f"{what} record {k + 1:,}"
+    k, file, kind = quality.first_disorder, str(path), kind_of_file(what)
+    row = None if numbers is None else int(numbers[k])
     if quality.resolution is not None:
+        step = quality.resolution
+        if row is not None:
+            raise InputError(error("file.time_steps_row", file=file, row=row, step=step))
         raise InputError(
-            f"{path}: times stand on steps of {quality.resolution:g} s from {place} on, "
-            "as if they had gone through 32-bit numbers; export with 64-bit times."
+            error("file.time_steps_record", file=file, kind=kind, record=k + 1, step=step)
         )
-    counted = [
-        f"{count:,} {kind}"
-        for count, kind in ((quality.duplicates, "repeat"), (quality.backward, "run backward"))
-        if count
-    ]
+    before, after, total = float(time[k - 1]), float(time[k]), len(time)
+    repeated, backward = quality.duplicates, quality.backward
+    if row is not None:
+        raise InputError(
+            error(
+                "file.time_order_row", file=file, row=row, before=before, after=after, total=total,
+                repeated=repeated, backward=backward,
+            )
+        )  # fmt: skip
     raise InputError(
-        f"{path}: time runs from {time[k - 1]:.6f} to {time[k]:.6f} s at {place} "
-        f"({' and '.join(counted)} of {len(time):,}); times must increase: sort the file or "
-        "export it again."
-    )
-
-
-def such(count: int, noun: str) -> str:
-    """How many of them there are: ``1 such point``, ``2 such points``."""
-    return f"{count:,} such {noun}{'' if count == 1 else 's'}"
+        error(
+            "file.time_order_record", file=file, kind=kind, record=k + 1, before=before,
+            after=after, total=total, repeated=repeated, backward=backward,
+        )
+    )  # fmt: skip
 
 
 def without_path(sentence: str, path: Path) -> str:
     """A sentence for where the file is named already."""
-    for name in (f"{path}: ", f"{path}, "):
+    for name in (f"{path}: ", f"{path}\u00a0: ", f"{path}, "):
         if sentence.startswith(name):
             rest = sentence[len(name) :]
-            return rest[:1].upper() + rest[1:]
+            rest = rest[:1].upper() + rest[1:]
+            if is_translated(sentence):
+                mark_translated(rest)
+            return rest
     return sentence
 
 
@@ -254,12 +297,12 @@ def _patience(path: Path) -> float:
     return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
 
 
-def not_written(path: Path, error: OSError) -> InputError:
+def not_written(path: Path, failure: OSError) -> InputError:
     """Make the error of a file that cannot be written."""
-    remedy = "choose another folder"
-    if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        remedy = f"make room on the disk or {remedy}"
-    return InputError(f"{path}: cannot be written ({error.strerror or error}); {remedy}.")
+    reason = failure.strerror or str(failure)
+    if failure.errno in (errno.ENOSPC, errno.EDQUOT):
+        return InputError(error("file.disk_full", file=str(path), reason=reason))
+    return InputError(error("file.not_writable", file=str(path), reason=reason))
 
 
 def remove_empty(folders: list[Path]) -> None:

@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import such, written_whole
+from lispac.io.files import written_whole
 from lispac.io.las_chunks import read
+from lispac.messages import error
 from lispac.survey.scan import Scan
 
 ASSUMPTIONS = ("LAS coordinates are metres in the LiDAR frame", "LAS gps_time is the point time")
@@ -48,10 +49,8 @@ def require_finite(points: NDArray[np.float64], time: NDArray[np.float64], path:
     """
     bad = ~(np.isfinite(points).all(axis=1) & np.isfinite(time))
     if bad.any():
-        raise InputError(
-            f"{path}: point {int(np.argmax(bad)) + 1:,} has a coordinate or time that is not a "
-            f"number ({such(int(bad.sum()), 'point')}); clean or export it again."
-        )
+        point, count = int(np.argmax(bad)) + 1, int(bad.sum())
+        raise InputError(error("las.not_finite", file=str(path), point=point, count=count))
 
 
 def write_points(

@@ -32,6 +32,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
+from lispac.messages import error
 from lispac.survey.crs import local_text
 from lispac.survey.kernels import scaled
 from lispac.survey.screening import LARGEST
@@ -101,11 +102,7 @@ def look(path: Path, choice: Choice) -> Finding:
         record = CloudRecord.of(header)
         frame = None if record is None else record.frame
         if is_in_local_frame(header) and frame is None and "frame" not in choice:
-            raise InputError(
-                f"{path}: this cloud was written in the local frame of a project (north, west, up),"
-                " and does not say where that is; write it again, or with a coordinate system "
-                "(georeference --crs), to use it as a line."
-            )
+            raise InputError(error("las.local_frame", file=str(path)))
         stated = stated_system(header, path.name)
         points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
@@ -209,8 +206,7 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
             yield PointChunk(xyz * scale if scale != 1 else xyz, time, extra, header.point_count)
         if done != header.point_count:
             raise InputError(
-                f"{path}: the header promises {header.point_count:,} points, the file holds "
-                f"{done:,}; copy or export it again."
+                error("file.points_missing", file=str(path), header=header.point_count, held=done)
             )
 
 
@@ -271,13 +267,10 @@ def opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
     header.point_count = counts.held
     if timed and "gps_time" not in set(header.point_format.dimension_names):
         reader.close()
-        raise InputError(
-            f"{path}: point format {header.point_format.id} has no gps_time, so its points cannot "
-            "be put on the trajectory; export the line with GPS time."
-        )
+        raise InputError(error("las.no_gps_time", file=str(path), format=header.point_format.id))
     if header.point_count == 0:
         reader.close()
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("file.no_points", file=str(path)))
     return reader
 
 

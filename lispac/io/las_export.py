@@ -25,7 +25,9 @@ from lispac.io.cloud_record import CloudRecord
 from lispac.io.las_chunks import MIXED_UP, PackedColumns
 from lispac.io.las_crs_written import state_system
 from lispac.io.las_guard import require_sound_header
+from lispac.io.points import damaged
 from lispac.io.registry import PointChunk
+from lispac.messages import error
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.kernels import quantised
@@ -81,7 +83,7 @@ def write_header_alone(path: Path, to: Path) -> None:
     ------
     InputError
         Where the file cannot be read.
-    """
+    """  # noqa: DOC501 - `damaged` makes an InputError
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
@@ -95,8 +97,8 @@ def write_header_alone(path: Path, to: Path) -> None:
             emptied = _extra_bytes(reader.header)
         if emptied != described:  # without points laspy writes no sensible least and largest value
             to.write_bytes(to.read_bytes().replace(emptied, described, 1))
-    except (LaspyException, LazrsError, ValueError) as error:
-        raise InputError(f"{path}: cannot be read as LAS or LAZ ({error}).") from error
+    except (LaspyException, LazrsError, ValueError) as failure:
+        raise damaged(path, "LAS or LAZ", failure) from failure
 
 
 def _extra_bytes(header: laspy.LasHeader) -> bytes:
@@ -116,14 +118,14 @@ def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
     ------
     InputError
         Where the file cannot be read.
-    """
+    """  # noqa: DOC501 - `damaged` makes an InputError
     path = Path(path)
     try:
         require_sound_header(path)
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
-    except (LaspyException, LazrsError, OSError, ValueError) as error:
-        raise InputError(f"{path}: cannot be read as LAS or LAZ ({error}).") from error
+    except (LaspyException, LazrsError, OSError, ValueError) as failure:
+        raise damaged(path, "LAS or LAZ", failure) from failure
     notes: tuple[str, ...] = ()
     names = list(header.point_format.dimension_names)
     if all(name in names for name in WAVEFORMS):
@@ -261,10 +263,8 @@ class Cloud:
             points, np.asarray(header.offsets), np.asarray(header.scales),
             raw["X"], raw["Y"], raw["Z"],
         ):  # fmt: skip
-            raise InputError(
-                f"{self._path.name}: points lie more than {2**31 * header.scales[0]:,.0f} units "
-                "from the trajectory, too far to be stored with them; clean the line."
-            )
+            limit = round(2**31 * float(header.scales[0]))
+            raise InputError(error("las.too_far", file=self._path.name, limit=limit))
         if packed:
             return record
         raw["gps_time"] = time
@@ -304,9 +304,11 @@ class Cloud:
         most = int(values.max(initial=0))
         if most > place.mask >> shift:
             raise InputError(
-                f"{self._path.name}: the column {dimension} holds {most}, more than LAS has room "
-                f"for ({place.mask >> shift}); correct it in the source."
-            )
+                error(
+                    "las.value_too_large", file=self._path.name, column=dimension, value=most,
+                    limit=int(place.mask >> shift),
+                )
+            )  # fmt: skip
         moved = values.astype(np.uint8) << np.uint8(shift)
         bits[byte] = bits[byte] | moved if byte in bits else moved
 
@@ -321,10 +323,9 @@ class Cloud:
         if self._one_channel:
             self._channels |= set(np.unique(np.asarray(record["scanner_channel"])).tolist())
             if len(self._channels) > 1:
+                number = self._header.point_format.id
                 raise InputError(
-                    f"{self._path}: LAZ would not keep what points of several scanner channels say "
-                    f"of their waveforms (point format {self._header.point_format.id}); write LAS "
-                    "instead."
+                    error("las.waveform_channels", file=str(self._path), format=number)
                 )
         self._writer.write_points(record)
 
@@ -392,12 +393,11 @@ def cloud_file(
             yield Cloud(writer, pattern, header, shown, one_channel=mixes_up)
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
-    except (LazrsError, OSError, LaspyException) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    except (LazrsError, OSError, LaspyException) as failure:
+        said = failure.strerror if isinstance(failure, OSError) else ""
         raise InputError(
-            f"{shown}: cannot be written ({reason}); nothing of it is kept: make room on the disk "
-            "or choose another folder."
-        ) from error
+            error("las.not_writable", file=str(shown), reason=said or str(failure))
+        ) from failure
 
 
 def steps(system: CoordinateSystem | None) -> NDArray[np.float64]:

@@ -44,16 +44,10 @@ def require_sound_header(path: Path) -> PointCounts:
     with path.open("rb") as file:
         header = file.read(375)
     if header[:4] != SIGNATURE:
-        raise InputError(
-            f"{path}: cannot be read as LAS or LAZ (it does not start with LASF, as these do); "
-            "check what it is, or export it again."
-        )
+        raise InputError(error("las.signature", file=str(path)))
     counts = _counts(path, size, header) if len(header) >= 227 else None
     if counts is None:
-        raise InputError(
-            f"{path}: cannot be read as LAS or LAZ (its header does not fit its {size:,} bytes); "
-            "copy or export it again."
-        )
+        raise InputError(error("las.header", file=str(path), size=size))
     return counts
 
 
@@ -96,8 +90,7 @@ def _counts(path: Path, size: int, header: bytes) -> PointCounts | None:
     counts = replace(counts, header=count, legacy=legacy)
     if counts.held < count and counts.held != legacy:
         raise InputError(
-            f"{path}: the file ends after point {counts.held:,} of the {count:,} that its header "
-            "promises, so it is cut short; copy or export it again."
+            error("file.points_missing", file=str(path), header=count, held=counts.held)
         )
     return counts
 

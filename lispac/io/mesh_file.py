@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import plain_name, require_file
+from lispac.messages import error
 from lispac.simulation.meshes import Mesh
 
 Array = NDArray[np.float64]
@@ -60,11 +61,9 @@ class MeshReader:
         with plain_name(path, ending) as name:
             try:
                 return self._pool.submit(_read_alone, str(name)).result()
-            except (BrokenProcessPool, MemoryError, RuntimeError) as error:
+            except (BrokenProcessPool, MemoryError, RuntimeError) as failure:
                 self.__exit__()
-                raise InputError(
-                    f"{path}: this mesh file is damaged and cannot be read; export the mesh again."
-                ) from error
+                raise InputError(error("mesh.damaged", file=str(path))) from failure
 
 
 def read_mesh(
@@ -88,17 +87,15 @@ def read_mesh(
         with nullcontext(reader) if reader is not None else MeshReader() as used:
             vertices, triangles = used.read(path, ending)
     if not len(triangles):
-        raise InputError(f"{path}: no triangles are in it; export the mesh, not its points.")
+        raise InputError(error("mesh.no_triangles", file=str(path)))
     if triangles.min() < 0 or triangles.max() >= len(vertices):
-        raise InputError(
-            f"{path}: a triangle has a corner that is not in the file; export the mesh again."
-        )
+        raise InputError(error("mesh.missing_vertex", file=str(path)))
     if not np.isfinite(vertices).all():
-        raise InputError(f"{path}: a vertex is not a number; export the mesh again.")
+        raise InputError(error("mesh.not_finite", file=str(path)))
     a, b, c = (vertices[column] for column in triangles.T)
     wide = np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0
     if not wide.any():
-        raise InputError(f"{path}: all its triangles are without area; export the mesh again.")
+        raise InputError(error("mesh.no_area", file=str(path)))
     return Mesh(name, vertices, triangles[wide], reflectance)
 
 
@@ -120,7 +117,7 @@ def _ending(path: Path) -> str:
     if re.search(rb"^v\s+[-+.\d]", head, re.MULTILINE) and b"\0" not in head:
         return ".obj"
     if path.suffix.lower() not in ENDINGS:
-        raise InputError(f"{path}: a mesh is PLY, OBJ or STL; export it as one of these.")
+        raise InputError(error("mesh.format", file=str(path)))
     return path.suffix.lower()
 
 
@@ -173,10 +170,10 @@ def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
                     raise ValueError(line)
                 triangles += [(first, b, c) for b, c in pairwise(others)]
         except ValueError:
-            raise InputError(
-                f"{path}: line {number} is no sound {'vertex' if kind == 'v' else 'face'} "
-                f"({line.strip()[:40]}); export the mesh again."
-            ) from None
+            file, text = str(path), line.strip()[:40]
+            if kind == "v":
+                raise InputError(error("mesh.vertex", file=file, row=number, text=text)) from None
+            raise InputError(error("mesh.face", file=file, row=number, text=text)) from None
     return np.array(vertices).reshape(-1, 3), np.array(triangles, dtype=np.int64).reshape(-1, 3)
 
 

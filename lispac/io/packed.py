@@ -4,15 +4,17 @@ import zlib
 from pathlib import Path
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 HEAD = 4096
 GZIP = b"\x1f\x8b\x08"
 MAGIC = {
-    b"PK\x03\x04": "ZIP archive", b"PK\x05\x06": "ZIP archive",
-    b"7z\xbc\xaf\x27\x1c": "7z archive", b"Rar!\x1a\x07": "RAR archive",
-    b"\xfd7zXZ\x00": "file compressed by xz", b"\x28\xb5\x2f\xfd": "file compressed by Zstandard",
-    b"\x04\x22\x4d\x18": "file compressed by LZ4",
+    b"PK\x03\x04": "ZIP", b"PK\x05\x06": "ZIP", b"7z\xbc\xaf\x27\x1c": "7z",
+    b"Rar!\x1a\x07": "RAR", b"\xfd7zXZ\x00": "xz", b"\x28\xb5\x2f\xfd": "Zstandard",
+    b"\x04\x22\x4d\x18": "LZ4",
 }  # fmt: skip
+ARCHIVES = ("ZIP", "7z", "RAR", "TAR")
+"""Formats that hold several files."""
 BZIP2 = b"1AY&SY"
 """After ``BZh`` and the size of its blocks."""
 TAR, TAR_AT = b"ustar", 257
@@ -35,26 +37,26 @@ def require_unpacked(path: Path, *, text: bool = False) -> None:
     with path.open("rb") as file:
         head = file.read(HEAD)
     if any(head.startswith(b"PK") and mark in head[:512] for mark in OFFICE):
-        raise InputError(
-            f"{path}: this is a spreadsheet or another office document; save it as text (CSV)."
-        )
+        raise InputError(error("file.office_document", file=str(path)))
     packing = _packing(head)
     if not packing or (text and head.startswith(GZIP) and b"\0" not in (_unzipped(head) or b"\0")):
         return
-    raise InputError(f"{path}: this is a {packing}; unpack it and choose the file inside.")
+    if packing in ARCHIVES:
+        raise InputError(error("file.archive", file=str(path), format=packing))
+    raise InputError(error("file.compressed", file=str(path), format=packing))
 
 
 def _packing(head: bytes) -> str:
-    """What kind of archive begins so; empty for none."""
+    """Format of an archive or a compressed file by its first bytes; empty for none."""
     for magic, name in MAGIC.items():
         if head.startswith(magic):
             return name
     # Two or three bytes also occur by chance at the beginning of binary records.
     if head.startswith(GZIP) and _unzipped(head) is not None:
-        return "file compressed by gzip"
+        return "gzip"
     if head[:3] == b"BZh" and head[4:10] == BZIP2:
-        return "file compressed by bzip2"
-    return "TAR archive" if head[TAR_AT:].startswith(TAR) else ""
+        return "bzip2"
+    return "TAR" if head[TAR_AT:].startswith(TAR) else ""
 
 
 def _unzipped(head: bytes) -> bytes | None:

@@ -27,13 +27,14 @@ from lispac.io.points import (
 )
 from lispac.io.records import Columns, Records, finding, points_of, require_axes, stored
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.messages import error
 
 TYPES = {
     ("I", 1): "<i1", ("I", 2): "<i2", ("I", 4): "<i4", ("I", 8): "<i8",
     ("U", 1): "<u1", ("U", 2): "<u2", ("U", 4): "<u4", ("U", 8): "<u8",
     ("F", 4): "<f4", ("F", 8): "<f8",
 }  # fmt: skip
-NEEDED = ("FIELDS", "SIZE", "TYPE", "POINTS")
+NEEDED = ("FIELDS", "SIZE", "TYPE", "POINTS", "DATA")
 EXPANSION = 300
 """LZF makes at most 264 bytes out of three; a header that claims more is damaged."""
 
@@ -102,27 +103,24 @@ def _header(path: Path) -> tuple[Records, str]:
     while "DATA" not in entries:
         end = head.find(b"\n", start) + 1
         if not end:
-            raise InputError(f"{path}: this is not PCD: its header is missing or damaged.")
+            raise InputError(error("pcd.header", file=str(path)))
         words = head[start:end].decode("ascii", "replace").split()
         if words and not words[0].startswith("#"):
             entries[words[0].upper()] = words[1:]
         start = end
-    kind = (entries["DATA"] or ["missing"])[0].lower()
-    if kind not in ("ascii", "binary", "binary_compressed"):
-        raise InputError(f"{path}: the PCD data kind {kind[:20]} is not known.")
     if missing := [name for name in NEEDED if not entries.get(name)]:
-        raise InputError(
-            f"{path}: the header of this PCD file has no {', '.join(missing)}; it "
-            "is damaged: export it again."
-        )
+        raise InputError(error("pcd.header_incomplete", file=str(path), entries=tuple(missing)))
+    kind = entries["DATA"][0].lower()
+    if kind not in ("ascii", "binary", "binary_compressed"):
+        raise InputError(error("pcd.data_kind", file=str(path), kind=kind[:20]))
     try:
-        dtype, count = _dtype(entries), int(entries["POINTS"][0])
-    except ValueError as error:
+        dtype, count = _dtype(path, entries), int(entries["POINTS"][0])
+    except ValueError as failure:
         raise InputError(
-            f"{path}: the header of this PCD file is damaged ({error}); export it again."
-        ) from error
+            error("pcd.header_damaged", file=str(path), reason=str(failure))
+        ) from failure
     if count < 0:
-        raise InputError(f"{path}: the header of this PCD file is damaged (points {count}).")
+        raise InputError(error("pcd.point_count", file=str(path), header=count))
     require_axes(path, dtype.names or ())
     facts = {"format": f"PCD, {kind.replace('_', ' ')}"}
     view = entries.get("VIEWPOINT", [])
@@ -132,19 +130,24 @@ def _header(path: Path) -> tuple[Records, str]:
     return _unpacked_count(records) if kind == "binary_compressed" else records.counted(), kind
 
 
-def _dtype(entries: Mapping[str, list[str]]) -> np.dtype[Any]:
+def _dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]:
     names, sizes, kinds = entries["FIELDS"], entries["SIZE"], entries["TYPE"]
     counts = entries.get("COUNT", ["1"] * len(names))
     fields: list[tuple[str, str] | tuple[str, str, tuple[int]]] = []
     for k, (name, size, kind, many) in enumerate(zip(names, sizes, kinds, counts, strict=True)):
         number = int(many)
         if (kind.upper(), int(size)) not in TYPES or not 1 <= number <= 4096:
-            raise ValueError(f"field {name[:20]} of type {kind[:5]}, size {size[:5]}, {many[:9]}")
+            raise InputError(
+                error(
+                    "pcd.field_type", file=str(path), field=name[:20], type=kind[:5],
+                    size=size[:5], number=many[:9],
+                )
+            )  # fmt: skip
         own = TYPES[kind.upper(), int(size)]
         key = f"_{k}" if name == "_" else name  # padding has no name
         fields.append((key, own) if number == 1 else (key, own, (number,)))
     if len({field[0] for field in fields}) != len(fields):
-        raise ValueError("two fields of one name")
+        raise InputError(error("pcd.duplicate_field", file=str(path)))
     return np.dtype(fields)
 
 
@@ -172,7 +175,7 @@ def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
     """
     path, size = records.path, records.path.stat().st_size
     if not records.count:
-        raise InputError(f"{path}: this line holds no points; leave it out.")
+        raise InputError(error("file.no_points", file=str(path)))
     with path.open("rb") as file:
         file.seek(records.start)
         lengths = np.frombuffer(file.read(8), "<u4")
@@ -180,15 +183,14 @@ def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
     whole = records.count * records.dtype.itemsize
     if len(lengths) != 2 or lengths[0] > len(packed) or lengths[1] != whole:
         raise InputError(
-            f"{path}: the compressed points do not fit the header ({size:,} bytes, "
-            f"{records.count:,} points promised); copy or export it again."
+            error("pcd.compressed_size", file=str(path), header=records.count, size=size)
         )
     packed = packed[: int(lengths[0])]
     if whole > EXPANSION * len(packed):
-        raise InputError(f"{path}: the compressed points are damaged; copy or export it again.")
+        raise InputError(error("pcd.compressed_damaged", file=str(path)))
     data = np.empty(whole, np.uint8)
     if _lzf(packed, data) != whole:
-        raise InputError(f"{path}: the compressed points are damaged; copy or export it again.")
+        raise InputError(error("pcd.compressed_damaged", file=str(path)))
     columns, at = {}, 0
     for name in records.dtype.names or ():
         field = records.dtype.fields[name][0] if records.dtype.fields else np.dtype("u1")

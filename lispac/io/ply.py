@@ -22,6 +22,7 @@ from lispac.io.points import (
 )
 from lispac.io.records import Records, finding, points_of, require_axes, stored
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.messages import error
 
 TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),
@@ -80,7 +81,7 @@ def _header(path: Path) -> Records:
     end = head.find(b"end_header")
     start = head.find(b"\n", end) + 1
     if head[:3] != b"ply" or end < 0 or not start:
-        raise InputError(f"{path}: this is not PLY: its header is missing or damaged.")
+        raise InputError(error("ply.header", file=str(path)))
     order, elements, comments = "", [], []
     for line in head[:end].decode("ascii", "replace").splitlines():
         words = line.split()
@@ -92,8 +93,10 @@ def _header(path: Path) -> Records:
             elements[-1][2].append((words[-1], " ".join(words[1:-1])))
         elif words[:1] in (["comment"], ["obj_info"]):
             comments.append(" ".join(words[1:]))
+    if not order:
+        raise InputError(error("ply.no_format", file=str(path)))
     if order not in ORDERS:
-        raise InputError(f"{path}: the PLY format {order or 'missing'} is not known.")
+        raise InputError(error("ply.format", file=str(path), format=order))
     for k, (name, count, properties) in enumerate(elements):
         dtype = _dtype(path, name, properties, ORDERS[order])
         if name == "vertex":
@@ -108,7 +111,7 @@ def _header(path: Path) -> Records:
             start = _after_lines(path, start, count)
         else:
             start += count * dtype.itemsize
-    raise InputError(f"{path}: this PLY file has no vertices.")
+    raise InputError(error("ply.no_vertices", file=str(path)))
 
 
 def _size(elements: list[Element], order: str) -> int | None:
@@ -123,7 +126,7 @@ def _size(elements: list[Element], order: str) -> int | None:
 
 def _count(path: Path, text: str) -> int:
     if not text.isdecimal() or int(text) > 1 << 48:
-        raise InputError(f"{path}: the header of this PLY file is damaged (count {text[:20]}).")
+        raise InputError(error("ply.count", file=str(path), text=text[:20]))
     return int(text)
 
 
@@ -132,16 +135,22 @@ def _dtype(
 ) -> np.dtype[Any]:
     fields: dict[str, str] = {}
     for name, kind in properties:
+        file = str(path)
+        if not kind:
+            raise InputError(
+                error("ply.property_without_type", file=file, element=element, property=name)
+            )
         if kind not in TYPES:
             raise InputError(
-                f"{path}: {element} has the property {name} of type {kind or 'none'}, which no "
-                "point of a line has; export points alone, without faces."
+                error("ply.property_type", file=file, element=element, property=name, type=kind)
             )
         if name in fields:
-            raise InputError(f"{path}: {element} has two properties {name}; export it again.")
+            raise InputError(
+                error("ply.duplicate_property", file=file, element=element, property=name)
+            )
         fields[name] = order + TYPES[kind]
     if not fields:
-        raise InputError(f"{path}: {element} has no properties; export it again.")
+        raise InputError(error("ply.no_properties", file=str(path), element=element))
     return np.dtype(list(fields.items()))
 
 

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError, LispacError
-from lispac.io.files import require_file, such
+from lispac.io.files import kind_of_file, require_file
 from lispac.io.registry import NOT, Choice, Option, PointChunk
+from lispac.messages import error
 from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
 from lispac.survey.screening import LARGEST, LARGEST_TIME
 from lispac.survey.source import RESTART
@@ -109,7 +110,7 @@ def system_of(choice: Choice, path: Path | None = None) -> CoordinateSystem | No
     try:
         year = float(epoch) if epoch else None
     except ValueError:
-        raise InputError(f"{epoch}: not a date as a decimal year; 2024.5 for example.") from None
+        raise InputError(error("file.epoch", epoch=epoch)) from None
     try:
         return coordinate_system(
             choice[CRS.name],
@@ -118,12 +119,12 @@ def system_of(choice: Choice, path: Path | None = None) -> CoordinateSystem | No
             trajectory_datum=choice[DATUM.name],
             epoch=year,
         )
-    except InputError as error:
+    except InputError as failure:
         if path is None:
             raise
-        words = str(error)
-        words = f"t{words[1:]}" if words.startswith("The ") else words
-        raise InputError(f"{path}: {words}") from error
+        raise InputError(
+            error("file.coordinate_system", file=str(path), reason=failure.reason)
+        ) from failure
 
 
 def scale_of(choice: Choice) -> float:
@@ -157,20 +158,19 @@ def plainly(path: Path, what: str) -> Iterator[None]:
         yield
     except (LispacError, Cancelled):
         raise
-    except OSError as error:
-        if error.errno is None:  # gzip's word for damaged data
-            raise _damaged(path, what, error) from error
-        raise InputError(
-            f"{path}: cannot be read to its end ({error.strerror or error}); "
-            "check the disk or network drive, or copy it again."
-        ) from error
-    except Exception as error:
-        raise _damaged(path, what, error) from error
+    except OSError as failure:
+        if failure.errno is None:  # gzip's word for damaged data
+            raise damaged(path, what, failure) from failure
+        reason = failure.strerror or str(failure)
+        raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
+    except Exception as failure:
+        raise damaged(path, what, failure) from failure
 
 
-def _damaged(path: Path, what: str, error: Exception) -> InputError:
-    reason = " ".join(str(error).split())[:120] or type(error).__name__
-    return InputError(f"{path}: cannot be read as {what} ({reason}); copy or export it again.")
+def damaged(path: Path, what: str, failure: Exception) -> InputError:
+    """Make the error of a file that a decoder cannot read; ``what`` names its format."""
+    reason = " ".join(str(failure).split())[:120] or type(failure).__name__
+    return InputError(error("file.damaged", file=str(path), kind=kind_of_file(what), reason=reason))
 
 
 def sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
@@ -198,7 +198,7 @@ def require_filled(path: Path, what: str) -> Path:
     """
     path = require_file(Path(path), what)
     if path.stat().st_size == 0:
-        raise InputError(f"{path}: this {what} file is empty; copy or export it again.")
+        raise InputError(error("file.empty", file=str(path), kind=kind_of_file(what)))
     return path
 
 
@@ -213,19 +213,20 @@ def field_of_time(path: Path, names: Sequence[str], wanted: str) -> str:
     if wanted:
         if wanted in names:
             return wanted
-        raise InputError(f"{path}: there is no field {wanted}; it has {', '.join(names)}.")
+        raise InputError(
+            error("file.no_such_field", file=str(path), field=wanted, fields=tuple(names))
+        )
     for usual in TIME_NAMES:
         for name in names:
             if name.lower() == usual:
                 return name
-    raise InputError(
-        f"{path}: no field holds a time (it has {', '.join(names) or 'none'}), so the points "
-        "cannot be put on the trajectory; export with time, or name the field."
-    )
+    raise InputError(error("file.no_time", file=str(path), fields=tuple(names)))
 
 
 MOST_UNUSABLE = 0.25
 """Share of values that are no usable numbers from which a file is refused."""
+FEW = 10
+"""Points that say nothing about the byte order."""
 
 
 def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -> None:
@@ -249,21 +250,15 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
         good = usable_numbers(xyz, time)
         bad = int((~good).sum())
         if bad > MOST_UNUSABLE * len(good):
-            swapped = ", as where the byte order is another one than the file says"
-            hint = swapped if len(good) > 10 else ""
-            raise InputError(
-                f"{path}: point {first + int(np.argmin(good)) + 1:,} has a coordinate or time that "
-                f"is not a usable number ({such(bad, 'point')} up to here{hint}); "
-                "clean or export it again."
-            )
+            point, file = first + int(np.argmin(good)) + 1, str(path)
+            if len(good) > FEW:
+                raise InputError(error("file.points_byte_order", file=file, point=point, count=bad))
+            raise InputError(error("file.points_not_usable", file=file, point=point, count=bad))
         time = time[good]
     step = coarseness(time)
     if step > COARSEST_TIME:
-        raise InputError(
-            f"{path}: times around {float(np.max(np.abs(time))):,.0f} are stored with 32 bits, in "
-            f"steps of {step:.3g} s: too coarse to put points on the trajectory; "
-            "export with 64-bit time."
-        )
+        largest = float(np.max(np.abs(time)))
+        raise InputError(error("file.time_32_bits", file=str(path), time=largest, step=step))
 
 
 def require_times(start: float, end: float, count: int, path: Path) -> None:
@@ -281,10 +276,7 @@ def require_times(start: float, end: float, count: int, path: Path) -> None:
     InputError
     """
     if count >= FEW_TIMES and start == end:
-        raise InputError(
-            f"{path}: {count:,} points share the time {start:.6f}; "
-            "the file was written without times: export it with them."
-        )
+        raise InputError(error("file.one_time", file=str(path), count=count, time=start))
 
 
 FEW_TIMES = 1000

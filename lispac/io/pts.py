@@ -18,6 +18,7 @@ from lispac.errors import InputError
 from lispac.io.points import CHUNK
 from lispac.io.text_layout import REMARKS
 from lispac.io.text_table import columns_of, is_number, lines_of, number
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 Row = tuple[int, str]
@@ -56,8 +57,7 @@ def places(path: Path) -> Iterator[Array]:
             block = list(islice(rows, min(CHUNK, count - done)))
             if not block:
                 raise InputError(
-                    f"{path}: the file ends after point {done:,} of the {count:,} that row "
-                    f"{head:,} promises, so it is cut short; copy or export it again."
+                    error("pts.points_missing", file=str(path), held=done, points=count, head=head)
                 )
             width = width or max(3, len(block[0][1].split()))
             _require_no_count(path, block, head, count, done)
@@ -141,13 +141,9 @@ def _require_count(path: Path, row: int, text: str, head: int, count: int) -> No
         return
     if head:
         raise InputError(
-            f"{path}, row {row:,}: the points that row {head:,} promises ({count:,}) end above "
-            "this row, and it is no number of points; copy or export it again."
+            error("pts.count_expected", file=str(path), row=row, points=count, head=head)
         )
-    raise InputError(
-        f"{path}, row {row:,}: a PTS file begins with its number of points, and this is "
-        f"{text[:40]!r}; export it again, or give a text of x, y, z the ending .txt."
-    )
+    raise InputError(error("pts.no_count", file=str(path), row=row, text=text[:40]))
 
 
 def _require_no_count(path: Path, block: list[Row], head: int, count: int, done: int) -> None:
@@ -160,8 +156,7 @@ def _require_no_count(path: Path, block: list[Row], head: int, count: int, done:
     for k, (row, text) in enumerate(block, start=done):
         if _COUNT.fullmatch(text):
             raise InputError(
-                f"{path}, row {row:,}: a new number of points stands here after {k:,} of the "
-                f"{count:,} points that row {head:,} promises; copy or export it again."
+                error("pts.early_count", file=str(path), row=row, held=k, points=count, head=head)
             )
 
 
@@ -174,15 +169,11 @@ def _require_rows(path: Path, block: list[Row], width: int) -> None:
     """
     for row, text in block:
         if "," in text or ";" in text:
-            raise InputError(
-                f"{path}, row {row:,}: PTS has decimal points, and blanks between its columns; "
-                "this row has commas or semicolons: export it again."
-            )
+            raise InputError(error("pts.separators", file=str(path), row=row))
         columns = len(text.split())
         if columns != width:
             raise InputError(
-                f"{path}, row {row:,}: {columns:,} columns where {width:,} are needed; copy or "
-                "export it again where it is cut short."
+                error("pts.columns", file=str(path), row=row, count=columns, width=width)
             )
 
 

@@ -25,7 +25,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import Message
+from lispac.messages import Message, error
 from lispac.survey.screening import LARGEST as LARGEST_COORDINATE
 
 LARGEST = 1 << 28  # bytes of records read at once
@@ -101,13 +101,13 @@ class Records:
         InputError
         """
         if not self.count:
-            raise InputError(f"{self.path}: this line holds no points; leave it out.")
+            raise InputError(error("file.no_points", file=str(self.path)))
         least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
         held = (self.path.stat().st_size - self.start) // least
         if held < self.count - (1 if self.ascii else 0):
+            room = max(held, 0)
             raise InputError(
-                f"{self.path}: the header promises {self.count:,} points, the file has room for "
-                f"{max(held, 0):,}; it is cut short: copy or export it again."
+                error("file.points_no_room", file=str(self.path), header=self.count, room=room)
             )
 
 
@@ -133,9 +133,11 @@ def stored(records: Records, rows: int) -> Iterator[Columns]:
             )
             if len(block) != wanted:
                 raise InputError(
-                    f"{records.path}: the header promises {records.count:,} points, the file "
-                    f"holds {done + len(block):,}; copy or export it again."
-                )
+                    error(
+                        "file.points_missing", file=str(records.path), header=records.count,
+                        held=done + len(block),
+                    )
+                )  # fmt: skip
             done += wanted
             yield {name: block[name] for name in records.dtype.names or ()}
 
@@ -157,16 +159,17 @@ def _text(file: IO[bytes], records: Records, wanted: int, done: int) -> NDArray[
         return np.empty(0, records.dtype)
     try:
         return np.loadtxt(lines, dtype=records.dtype, ndmin=1, comments=None)
-    except ValueError as error:
+    except ValueError as failure:
         for number, text in enumerate(lines, start=done + 1):
             try:
                 np.loadtxt([text], dtype=records.dtype, ndmin=1, comments=None)
             except ValueError:
                 raise InputError(
-                    f"{records.path}: point {number:,} reads {text.strip()[:60]!r}, which is not "
-                    f"{len(records.dtype.names or ())} numbers as the header says; "
-                    "copy or export it again."
-                ) from error
+                    error(
+                        "file.point_not_numbers", file=str(records.path), point=number,
+                        text=text.strip()[:60], values=len(records.dtype.names or ()),
+                    )
+                ) from failure  # fmt: skip
         raise
 
 
@@ -182,7 +185,7 @@ def points_of(
     """
     name = field_of_time(path, tuple(columns), str(choice["time_field"]))
     if columns[name].ndim > 1:
-        raise InputError(f"{path}: the field {name} holds more than one value a point.")
+        raise InputError(error("file.several_values", file=str(path), field=name))
     xyz = np.stack([columns[axis].astype(np.float64) for axis in "xyz"], axis=1)
     time = columns[name]
     factor = SECONDS[choice["time_unit"]]
@@ -205,8 +208,7 @@ def require_axes(path: Path, names: tuple[str, ...]) -> None:
     """
     if missing := [axis for axis in "xyz" if axis not in names]:
         raise InputError(
-            f"{path}: the points have no {', '.join(missing)} (fields: "
-            f"{', '.join(names) or 'none'}); export them with coordinates and time."
+            error("file.no_coordinates", file=str(path), axes=tuple(missing), fields=tuple(names))
         )
 
 

@@ -14,4 +14,14 @@ TEXTS: Mapping[str, Template] = {
         "of the window and recent projects may be lost when the computer restarts. Make the folder "
         "writable, or choose another cache folder in the settings."
     ),
+    "cache.folder_not_writable": N_(
+        "{folder}: the cache cannot be written here ({reason}). Choose another folder."
+    ),
+    "cache.not_removed": N_(
+        "{folder}: cannot be removed ({reason}). Close other programs that may use it and try "
+        "again."
+    ),
+    "installation.file_missing": N_(
+        "{name} is missing from this installation. Install the program again."
+    ),
 }

@@ -17,11 +17,13 @@ from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
 from lispac.io.values import encoded
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.store.columns import checksum_of
-from lispac.survey.store.layout import MANIFEST, Original
+from lispac.survey.store.layout import MANIFEST, Original, damage_of
 from lispac.survey.store.original import original_of
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
@@ -186,7 +188,10 @@ def header_is_damaged(stored: StoredLine) -> bool:
 
 def _without_remedy(error: ProjectError) -> str:
     """What was wrong, where it is mended already."""
-    return re.sub(r"; import (it|the line) again\.$", "", str(error))
+    damage = damage_of(error)
+    if isinstance(damage, Message):
+        return message_text(damage)
+    return re.sub(r"; import (it|the line) again\.$", "", damage)
 
 
 def stored_line(

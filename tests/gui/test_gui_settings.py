@@ -295,7 +295,7 @@ def test_the_cache_goes_where_it_is_wanted(
     (tmp_path / "file").write_text("")
     answers(driver, monkeypatch, Preferences(point_size=7, cache=tmp_path / "file"))
     driver.window.actions_["settings"].trigger()
-    assert "cannot be written there" in str(driver.dialogs.errors[-1])
+    assert driver.dialogs.errors[-1].code == "cache.folder_not_writable"
     assert driver.window.settings.cache_folder == tmp_path / "fast"
     assert driver.window.settings.point_size == 7
 
@@ -308,7 +308,7 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     (place / "numba" / "kernel").write_bytes(bytes(2_500_000))
     (tmp_path / "file").write_text("")
     page.cache.take(tmp_path / "file")
-    assert "the cache cannot be written there" in page.cache.said.text()
+    assert "the cache cannot be written here" in page.cache.said.text()
     page.cache.take(tmp_path / "disk")
     assert page.preferences.cache == tmp_path / "disk"
     assert page.cache.place.text() == str(place)

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.survey.store.fingerprint import joined_crc32
-from lispac.survey.store.layout import Column, flushed
+from lispac.survey.store.layout import Column, flushed, import_again
 
 HEADER = 128
 """Bytes before the numbers, the same whatever their count: it is written last."""
@@ -134,7 +135,7 @@ def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
     ------
     ProjectError
         Where the file is not what the manifest says.
-    """  # noqa: DOC501 - its own ValueError is caught
+    """
     shape = (count, *column.shape)
     if not column.file:
         value = np.array(column.value, dtype=column.dtype)
@@ -143,14 +144,18 @@ def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
     try:
         # Not `np.load`, which also opens archives and pickles.
         values: NDArray[Any] = np.lib.format.open_memmap(path, mode="r")
-        if values.shape != shape or values.dtype != np.dtype(column.dtype):
-            raise ValueError(f"it holds {values.dtype} of shape {values.shape}")
+        is_right = values.shape == shape and values.dtype == np.dtype(column.dtype)
     except (
         OSError, ValueError, EOFError, MemoryError, OverflowError, SyntaxError, tokenize.TokenError,
-    ) as error:  # fmt: skip
-        said = str(error).split("\n")[0]
+    ) as failure:  # fmt: skip
+        said = str(failure).split("\n")[0]
         raise ProjectError(
-            f"{path}: this part of an imported line is damaged ({said}); import the line again."
-        ) from error
+            import_again(error("store.part_damaged", file=str(path), reason=said))
+        ) from failure
+    if not is_right:
+        found = error(
+            "store.part_type", file=str(path), type=str(values.dtype), shape=str(values.shape)
+        )
+        raise ProjectError(import_again(found))
     # A plain array over the same memory: the subclass costs in every slice.
     return np.asarray(values)

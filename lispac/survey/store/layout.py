@@ -22,6 +22,7 @@ import numpy as np
 
 from lispac.errors import ProjectError
 from lispac.foreign_values import json_values
+from lispac.messages import Message, error
 
 VERSION = 2
 OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
@@ -38,6 +39,20 @@ LARGEST_REACH, LARGEST_TIME = 1e7, 1e12
 
 class DamagedStore(ProjectError):
     """The manifest of a stored line cannot be read; the line has to be imported again."""
+
+
+def import_again(reason: Message) -> Message:
+    """A message that a line has to be imported again, with the reason as its parameter."""
+    return error("store.import_again", reason=reason)
+
+
+def damage_of(failure: ProjectError) -> Message | str:
+    """What is wrong with an imported line, without the request to import it again."""
+    if failure.message is not None and failure.code == "store.import_again":
+        reason = failure.message.params["reason"]
+        assert isinstance(reason, Message)
+        return reason
+    return failure.reason
 
 
 def is_link(path: Path) -> bool:
@@ -59,10 +74,7 @@ def require_no_link(*paths: Path) -> None:
     """
     for path in paths:
         if is_link(path):
-            raise ProjectError(
-                f"{path}: this is a link to another folder, where nothing is written or deleted. "
-                "Put a folder in its place, or save the project elsewhere."
-            )
+            raise ProjectError(error("store.link", folder=str(path)))
 
 
 @dataclass(frozen=True)
@@ -206,15 +218,15 @@ def read_manifest(folder: Path) -> Manifest | None:
         Where it is damaged.
     ProjectError
         Where it is of a newer version of the program.
-    """  # noqa: DOC501 - its own ValueError is caught
+    """
     path = folder / MANIFEST
     try:
         content = json_values(path.read_bytes())
         if content["version"] > VERSION:
-            raise ProjectError(f"{path}: made by a newer version of the program; update it.")
+            raise ProjectError(error("store.newer_version", file=str(path)))
         store = content["store"]
         if content["checksum"] != _checksum(store):
-            raise ValueError("its checksum does not hold")
+            raise DamagedStore(import_again(error("store.manifest_checksum", file=str(path))))
         manifest = Manifest(
             **{
                 **store,
@@ -226,23 +238,23 @@ def read_manifest(folder: Path) -> Manifest | None:
                 "assumptions": tuple(store["assumptions"]),
             }
         )
-        _require_plain(manifest)
+        _require_plain(manifest, path)
         return manifest
     except FileNotFoundError:
         return None
-    except (OSError, ValueError, KeyError, TypeError, OverflowError) as error:
-        raise DamagedStore(
-            f"{path}: the imported line is damaged ({error}); import the line again."
-        ) from error
+    except (OSError, ValueError, KeyError, TypeError, OverflowError) as failure:
+        damage = error("store.manifest_damaged", file=str(path), reason=str(failure))
+        raise DamagedStore(import_again(damage)) from failure
 
 
-def _require_plain(manifest: Manifest) -> None:
+def _require_plain(manifest: Manifest, path: Path) -> None:
     """Refuse what no import writes: other types, names that lead elsewhere, columns amiss.
 
     Raises
     ------
-    ValueError
+    DamagedStore
     """
+    values = error("store.manifest_values", file=str(path))
     names = (manifest.folder, *(column.file for column in manifest.files))
     counts = [manifest.points, manifest.left_out]
     numbers = [
@@ -254,9 +266,10 @@ def _require_plain(manifest: Manifest) -> None:
         words += [column.name, column.file]
         counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
         if not isinstance(column.dtype, str) or len(column.dtype) > LONGEST_TYPE:
-            raise ValueError("a column of another type")
+            raise DamagedStore(import_again(values))
         if np.dtype(column.dtype).kind not in "biuf":
-            raise ValueError(f"a column of {column.dtype}")
+            damage = error("store.column_type", file=str(path), type=column.dtype)
+            raise DamagedStore(import_again(damage))
         if not column.file:
             np.broadcast_to(np.array(column.value, column.dtype), column.shape)
     sound = (
@@ -274,7 +287,7 @@ def _require_plain(manifest: Manifest) -> None:
         and isinstance(manifest.audit, dict)
     )
     if not sound:
-        raise ValueError("it is not what an import writes")
+        raise DamagedStore(import_again(values))
 
 
 def _is_placed(placed_with: Mapping[str, Any]) -> bool:
@@ -306,11 +319,13 @@ def require_sizes(folder: Path, manifest: Manifest) -> None:
         path = folder / manifest.folder / column.file
         size = path.stat().st_size if path.is_file() else -1
         if size != column.size:
-            found = "is missing" if size < 0 else f"has {size:,} of {column.size:,} bytes"
-            raise ProjectError(
-                f"{path}: this part of the imported line {manifest.line} {found}; "
-                "import the line again."
+            file, line = str(path), manifest.line
+            damage = (
+                error("store.part_missing", file=file, line=line)
+                if size < 0
+                else error("store.part_size", file=file, line=line, size=size, expected=column.size)
             )
+            raise ProjectError(import_again(damage))
 
 
 def sealed(content: Any) -> str:
@@ -388,7 +403,7 @@ def remove_leftovers(folder: Path, keep: str = "") -> None:
 def plainly_written(
     folder: Path, needed: Callable[[], int | None] = lambda: None
 ) -> Iterator[None]:
-    """Turn what the system says against writing into one sentence.
+    """Turn errors of the system while writing into `ProjectError`.
 
     Parameters
     ----------
@@ -401,30 +416,20 @@ def plainly_written(
     """
     try:
         yield
-    except OSError as error:
-        size = needed()
-        room = f" (about {_amount(size)} while importing)" if size else ""
-        if error.errno in (errno.ENOSPC, errno.EDQUOT):
-            raise ProjectError(
-                f"{folder}: the disk is full; make room{room} or move the project to a larger "
-                "disk, then import the line again."
-            ) from error
-        if error.errno == errno.EFBIG:
-            raise ProjectError(
-                f"{folder}: files cannot grow as large as this line needs{room}; move the project "
-                "to a disk that takes large files, then import the line again."
-            ) from error
-        if error.errno is None:
-            raise ProjectError(
-                f"{folder}: what the import has written cannot be read back ({error}); check the "
-                "disk, then import the line again."
-            ) from error
-        raise ProjectError(
-            f"{folder}: the line cannot be written here ({error.strerror or error}); choose a "
-            "project folder that can be written, then import the line again."
-        ) from error
+    except OSError as failure:
+        raise ProjectError(_not_written(str(folder), failure, needed())) from failure
 
 
-def _amount(size: int) -> str:
-    """Bytes as one reads them: ``3.3 GB``, ``40 MB``."""
-    return f"{size / 1e9:.1f} GB" if size >= 1e8 else f"{max(1, round(size / 1e6))} MB"
+def _not_written(folder: str, failure: OSError, size: int | None) -> Message:
+    """Why a line cannot be written; ``size`` is the room that its import needs, bytes."""
+    if failure.errno in (errno.ENOSPC, errno.EDQUOT):
+        if size:
+            return error("store.disk_full_size", folder=folder, size=size)
+        return error("store.disk_full", folder=folder)
+    if failure.errno == errno.EFBIG:
+        if size:
+            return error("store.file_too_large_size", folder=folder, size=size)
+        return error("store.file_too_large", folder=folder)
+    if failure.errno is None:
+        return error("store.not_read_back", folder=folder, reason=str(failure))
+    return error("store.not_writable", folder=folder, reason=failure.strerror or str(failure))

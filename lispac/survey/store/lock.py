@@ -6,6 +6,7 @@ from pathlib import Path
 
 from lispac.errors import ProjectError
 from lispac.locks import LockTaken, file_lock, is_locked
+from lispac.messages import error
 
 LOCK = ".importing"
 
@@ -22,10 +23,8 @@ def locked(folder: Path) -> Iterator[None]:
     try:
         with file_lock(folder / LOCK):
             yield
-    except LockTaken as error:
-        raise ProjectError(
-            f"{folder}: this line is being imported already; wait for it or stop that import."
-        ) from error
+    except LockTaken as failure:
+        raise ProjectError(error("store.locked", folder=str(folder))) from failure
 
 
 def is_held(folder: Path) -> bool:

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.progress import Progress
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.cells import Keys, drawn, sorting
@@ -37,7 +39,7 @@ def write_columns(
 
     Raises
     ------
-    OSError
+    ProjectError
         Where the disk does not give back what was written.
     """
     points, done = spool.points, 0
@@ -53,7 +55,9 @@ def write_columns(
             writer.add(keys[order], ordered, done, place)
             done += len(keys)
         if done != points:
-            raise OSError(f"{done:,} of {points:,} points came back from the disk")
+            raise ProjectError(
+                error("store.points_lost", folder=str(folder.parent), read=done, points=points)
+            )
         progress(1.0, f"Ordering {line}: bringing it on the disk")
         return writer.finish()
 

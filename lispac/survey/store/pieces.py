@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
+from lispac.messages import error
 from lispac.survey.store.fingerprint import Running
 from lispac.survey.store.layout import Column
 
@@ -137,10 +138,7 @@ def columns_of(piece: Piece, source: str) -> tuple[Column, ...]:
     columns = []
     for name, values in piece.extra.items():
         if values.dtype.kind not in "biuf" or len(values) != len(piece):
-            raise InputError(
-                f"{source}: the attribute {name} is not a number for every point and cannot be "
-                "imported; export the line without it."
-            )
+            raise InputError(error("store.attribute", file=source, attribute=name))
         dtype = values.dtype.newbyteorder("<")
         columns.append(Column(name, dtype.str, values.shape[1:]))
     return tuple(columns)
@@ -156,11 +154,13 @@ def require_alike(piece: Piece, columns: tuple[Column, ...], source: str) -> Non
     found = columns_of(piece, source)
     if set(found) != set(columns):
         names = {c.name for c in found} ^ {c.name for c in columns}
-        what = f" ({', '.join(sorted(names))})" if names else ""
-        raise InputError(
-            f"{source}: from point {piece.index[0] + 1:,} on the points have other "
-            f"attributes than before{what}; import these as lines of their own."
-        )
+        point = int(piece.index[0]) + 1
+        if names:
+            changed = tuple(sorted(names))
+            raise InputError(
+                error("store.attributes_change", file=source, point=point, attributes=changed)
+            )
+        raise InputError(error("store.attribute_types_change", file=source, point=point))
 
 
 def blocks_of(
@@ -190,9 +190,7 @@ def blocks_of(
                 columns = columns_of(piece, source)
             require_alike(piece, columns, source)
             if piece.index[-1] >= MOST:
-                raise ProjectError(
-                    f"{source}: a line cannot have more than {MOST:,} points; split the file."
-                )
+                raise ProjectError(error("store.too_many_points", file=source, limit=MOST))
         filled = False
         while start < len(piece):
             assert columns is not None

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.survey.store.cells import MOST_HALVINGS, Keys, is_in_sample, octaves_near
 from lispac.survey.store.columns import checksum_of, opened
@@ -17,6 +18,7 @@ from lispac.survey.store.layout import (
     SPOOL,
     Column,
     Manifest,
+    import_again,
     read_manifest,
     require_sizes,
 )
@@ -174,10 +176,7 @@ class StoredLine:
             raise self._damaged()
 
     def _damaged(self) -> ProjectError:
-        return ProjectError(
-            f"{self.name}: the imported line holds values that no import writes, so its files were "
-            "changed since; import the line again."
-        )
+        return ProjectError(import_again(error("store.values", line=self.name)))
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
         """Places of ``rows``, both (n,), in the original file, which also holds points left out."""
@@ -323,8 +322,8 @@ class StoredLine:
             path = self.folder / self.manifest.folder / column.file
             try:
                 _require_checksum(path, column.checksum)
-            except ProjectError as error:
-                raise self.gone_or(error) from error
+            except ProjectError as failure:
+                raise self.gone_or(failure) from failure
             done += column.size
             progress(done / self.manifest.bytes)
 
@@ -343,17 +342,14 @@ class StoredLine:
     def _opened(self, column: Column, count: int) -> NDArray[Any]:
         try:
             return opened(self.folder / self.manifest.folder, column, count)
-        except ProjectError as error:
-            raise self.gone_or(error) from error
+        except ProjectError as failure:
+            raise self.gone_or(failure) from failure
 
-    def gone_or(self, error: ProjectError) -> ProjectError:
-        """What there is to say instead where the line was imported again since it was opened."""
+    def gone_or(self, failure: ProjectError) -> ProjectError:
+        """Another error where the line was imported again since it was opened, else the same."""
         if _is_current(self.folder, self.manifest):
-            return error
-        return ProjectError(
-            f"{self.name}: this line was imported again since it was opened, by another window or "
-            "command; open the project again to go on with it."
-        )
+            return failure
+        return ProjectError(error("store.imported_again", line=self.name))
 
     @cached_property
     def _octaves(self) -> Keys:
@@ -387,17 +383,13 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
     manifest = read_manifest(folder)
     if manifest is None:
         if is_held(folder):
-            raise ProjectError(
-                f"{line}: this line is being imported at the moment, by another window or command; "
-                "wait until that has ended, then try again."
-            )
+            raise ProjectError(error("store.being_imported", line=line))
         if (folder / SPOOL).is_dir():
-            raise ProjectError(
-                f"{line}: its import was interrupted; import it again, it goes on where it stood."
-            )
-        raise ProjectError(f"{line}: this line is not imported yet; import it.")
+            raise ProjectError(error("store.interrupted", line=line))
+        raise ProjectError(error("store.not_imported", line=line))
     if manifest.line != line:
-        raise ProjectError(f"{folder}: this is the line {manifest.line}, not {line}; import it.")
+        other = error("store.other_line", folder=str(folder), found=manifest.line, line=line)
+        raise ProjectError(import_again(other))
     stored = StoredLine(folder, manifest)
     try:
         require_sizes(folder, manifest)
@@ -427,13 +419,10 @@ def _is_current(folder: Path, manifest: Manifest) -> bool:
 def _require_checksum(path: Path, checksum: int) -> None:
     try:
         sound = checksum_of(path) == checksum
-    except OSError as error:
+    except OSError as failure:
+        reason = failure.strerror or str(failure)
         raise ProjectError(
-            f"{path}: this part of an imported line cannot be read ({error.strerror or error}); "
-            "check the disk, or import the line again."
-        ) from error
+            error("store.part_not_readable", file=str(path), reason=reason)
+        ) from failure
     if not sound:
-        raise ProjectError(
-            f"{path}: this part of an imported line has changed since (its checksum does not "
-            "hold); import the line again."
-        )
+        raise ProjectError(import_again(error("store.part_changed", file=str(path))))

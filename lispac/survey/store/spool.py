@@ -19,6 +19,8 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.survey.store.cells import Keys, choose_side, extent, order_keys, sorting
 from lispac.survey.store.columns import checksum_of
 from lispac.survey.store.fingerprint import Running
@@ -211,7 +213,7 @@ class Spool:
 
         Raises
         ------
-        OSError
+        ProjectError
             Where the block is cut short.
         """
         block, count = self.blocks[number], stop - start
@@ -225,7 +227,8 @@ class Spool:
                 values[field] = some.reshape(-1, *column.shape)
                 at += block.count * kind.itemsize
         if any(len(some) != count for some in (keys, *values.values())):
-            raise OSError(f"block {number} of the import is cut short")
+            folder = str(self.folder.parent)
+            raise ProjectError(error("store.block_cut_short", folder=folder, block=number))
         return keys, values
 
     def remove(self) -> None:

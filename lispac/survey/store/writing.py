@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import LispacError, ProjectError
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.layout import (
@@ -145,11 +146,11 @@ def _import(
             beside(new)
             manifest = stamped(folder, manifest)
             write_manifest(folder, manifest)
-    except BaseException as error:
+    except BaseException as failure:
         if _current(folder) != new.name:  # stopped after the manifest: the line is imported
             remove_columns(new)
         # A file that cannot be read and a disk that is full get nothing from a half kept for later.
-        if spool is not None and isinstance(error, LispacError):
+        if spool is not None and isinstance(failure, LispacError):
             spool.remove()
         raise
     spool.remove()
@@ -222,7 +223,7 @@ def _fill(
             if block is not None:
                 spool.add(block, place)
     if not spool.points:
-        raise ProjectError(f"{recipe.original.path}: there is no point in it; leave the line out.")
+        raise ProjectError(error("store.no_points", file=recipe.original.path))
     assumptions, audit = findings()
     end = End(read, assumptions, audit)
     spool.complete(end)
