@@ -307,21 +307,22 @@ def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path: Path) -> 
     project = sample_project(tmp_path / "p")
     write_project(project)
     folder = project.folder
-    old = (".project-a1_b2c3d.json", ".project-zzzzzzzz.json")
+    old = (".project-a1_b2c3d.part.json", ".project-zzzzzzzz.part.json")
     others = (
-        ".project-a1_b2c3d.json.bak", ".project-short.json", "project-a1_b2c3d.json",
-        ".project-notes-of-mine.json", ".Project-a1_b2c3d.json", ".project-young123.json",
+        ".project-a1_b2c3d.part.json.bak", ".project-short.part.json", "project-a1_b2c3d.json",
+        ".project-notes-of-mine.json", ".Project-a1_b2c3d.part.json", ".project-20260101.json",
+        ".project-young123.part.json",
     )  # fmt: skip
     for open_or_save in (lambda: read_project(folder), lambda: write_project(project)):
         for name in (*old, *others):
             (folder / name).write_text("half")
             if name != others[-1]:
                 os.utime(folder / name, (1e9, 1e9))
-        (folder / ".project-folder12.json").mkdir(exist_ok=True)
-        os.utime(folder / ".project-folder12.json", (1e9, 1e9))
+        (folder / ".project-folder12.part.json").mkdir(exist_ok=True)
+        os.utime(folder / ".project-folder12.part.json", (1e9, 1e9))
         open_or_save()
         left = {path.name for path in folder.iterdir() if "roject-" in path.name}
-        assert left == {*others, ".project-folder12.json"}
+        assert left == {*others, ".project-folder12.part.json"}
 
 
 def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:
