@@ -1,13 +1,13 @@
 """Results and settings as plain values for JSON, and back, by their type annotations."""
 
-import re
 from functools import cache
 from typing import Any, TypeVar
 
 import numpy as np
 
 from lispac.errors import LispacError
-from lispac.foreign_values import Unfit as Unfit
+from lispac.foreign_values import InvalidContentError
+from lispac.messages import Message, error
 from lispac.messages import Value as MessageValue
 
 Value = TypeVar("Value")
@@ -41,33 +41,31 @@ def decoded(content: Any, kind: type[Value]) -> Value:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
         Where the content does not fit the type.
     """
     from cattrs.errors import BaseValidationError, ForbiddenExtraKeysError
 
     try:
         return _converter().structure(content, kind)
-    except (BaseValidationError, ForbiddenExtraKeysError) as error:
-        raise Unfit(f"its {_in_words(kind)} cannot be read{_reason(error)}") from error
+    except (BaseValidationError, ForbiddenExtraKeysError) as failure:
+        raise InvalidContentError(_reason(failure, kind.__name__)) from failure
 
 
-def _in_words(kind: type[Any]) -> str:
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind.__name__).lower()
-
-
-def _reason(error: BaseException) -> str:
-    """The innermost of nested errors where it says something to those who do not know the code."""
+def _reason(failure: BaseException, part: str) -> Message:
+    """Message about the innermost of nested errors."""
     from cattrs.errors import ForbiddenExtraKeysError
 
-    while isinstance(error, BaseExceptionGroup):
-        error = error.exceptions[0]
-    if isinstance(error, ForbiddenExtraKeysError):
-        return f": {', '.join(sorted(error.extra_fields))} is not known"
-    return f": {error}" if isinstance(error, LispacError) else ""
+    while isinstance(failure, BaseExceptionGroup):
+        failure = failure.exceptions[0]
+    if isinstance(failure, ForbiddenExtraKeysError):
+        return error("content.unknown_fields", part=part, names=sorted(failure.extra_fields))
+    if isinstance(failure, LispacError):
+        return error("content.invalid_part", part=part, reason=failure.reason)
+    return error("content.wrong_form", part=part)
 
 
-def in_one_line(error: BaseException) -> str:
-    """What an error of the system or a library is called and says, in one line."""
-    said = str(error).splitlines()
-    return f"{type(error).__name__}: {said[0]}" if said else type(error).__name__
+def in_one_line(failure: BaseException) -> str:
+    """Name and first line of an error of the system or a library."""
+    said = str(failure).splitlines()
+    return f"{type(failure).__name__}: {said[0]}" if said else type(failure).__name__
