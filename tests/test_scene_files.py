@@ -253,7 +253,12 @@ def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
         ("attitude_s = 600", "attitude_s = 0", "toml.not_above", {"key": "pos[1].attitude_s"}),
         ("speed_abeam_m_s = 0.6", "speed_abeam_m_s = 6", "toml.above_maximum", {"most": "2.2"}),
         ("[[pos]]", "[[gps]]", "vessel.no_pos_errors", {"key": "pos"}),
-        ("boresight_deg =", "boresight =", "toml.unknown_key_similar", {"similar": "boresight_deg"}),
+        (
+            "boresight_deg =",
+            "boresight =",
+            "toml.unknown_key_similar",
+            {"similar": "boresight_deg"},
+        ),
     ],
 )
 def test_mistakes_in_a_vessel_are_told(

@@ -104,7 +104,9 @@ def test_a_folder_that_cannot_be_written_names_the_remedy(
 
     monkeypatch.setattr("lispac.workflow.projects.write_project", refused)
     press(harbour, Key.Key_S, Control)
-    assert str(harbour.dialogs.errors[0]).endswith("another folder. File > Save as… does that.")
+    (error,) = harbour.dialogs.errors
+    assert error.code == "window.not_saved"
+    assert "another folder. Use File > Save as…" in str(error)
     assert harbour.window.isWindowModified()
     monkeypatch.undo()
     harbour.dialogs.path = tmp_path / "mine"
@@ -121,7 +123,7 @@ def test_a_folder_with_a_project_is_refused_and_nothing_changes(
     harbour.dialogs.path = demo_copy
     harbour.window.actions_["save_as"].trigger()
     harbour.rest()
-    assert "there is a project here already" in str(harbour.dialogs.errors[0])
+    assert harbour.dialogs.errors[0].code == "project.exists"
     assert harbour.window.isWindowModified()
     assert open_project(demo_copy).targets == ()
 
@@ -141,7 +143,7 @@ def test_imported_lines_go_along(demo: Demo, tmp_path: Path) -> None:
     assert len(again.clouds[moved.lines[0].name].sample) == len(
         survey.clouds[one.lines[0].name].sample
     )
-    with pytest.raises(ProjectError, match="a project here already"):
+    with pytest.raises(ProjectError, check=lambda e: e.code == "project.exists"):
         save_project_as(one, survey, tmp_path / "new")
 
     def stop(fraction: float, message: str = "") -> None:
