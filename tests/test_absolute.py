@@ -322,7 +322,7 @@ def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> Non
     ):
         check_absolute(*known, tmp_path / "p.csv")
     project, survey = known
-    with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
+    with pytest.raises(ProjectError, match="estimate first"):
         check_absolute(replace(project, result=None), survey, tmp_path / "p.csv")
 
 

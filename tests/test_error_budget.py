@@ -205,7 +205,7 @@ def test_the_command_and_the_report_say_the_same(
     assert last[6] == f"{100 * at_50['across_beam_m']:.2f}"
     assert any(isinstance(b, Bullets) and b.items == budget.in_words for b in section.blocks)
     write_project(replace(project, result=None))
-    assert "have not been estimated" in refused(capsys, "budget", project.folder)
+    assert "estimate first" in refused(capsys, "budget", project.folder)
 
 
 @pytest.mark.parametrize("sigma", [(-0.01, 0.01, 0.01), (0.01, np.inf, 0.01), (0.0, 0.0, np.nan)])

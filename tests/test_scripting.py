@@ -186,7 +186,7 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
         (lambda quay: quay.rename("T1", ""), "needs a name"),
         (lambda quay: quay.estimate(), "All sightings are on line L1_000"),
         (lambda quay: quay.validate(), "have not been estimated"),
-        (lambda quay: quay.check("nothing.csv"), "have not been estimated"),
+        (lambda quay: quay.check("nothing.csv"), "estimate first"),
         (lambda quay: quay.report("report.doc"), "a report is written as"),
         (lambda quay: quay.export("lines", "map", form="csv"), "cannot be exported as csv"),
         (lambda quay: quay.boresight_deg, "have not been estimated"),

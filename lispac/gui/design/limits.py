@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui import units
-from lispac.gui.language import say
+from lispac.gui.language import local_number, say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
@@ -61,8 +61,9 @@ def numbers_of(
         if not low <= value <= high:
             raise InputError(
                 error(
-                    "window.out_of_range", field=say(what), text=f"{typed:g}",
-                    low=_end(low, base), high=_end(high, base), unit=shown,
+                    "window.out_of_range", field=say(what), text=local_number(f"{typed:g}"),
+                    low=local_number(_end(low, base)), high=local_number(_end(high, base)),
+                    unit=shown,
                 )
             )  # fmt: skip
         found.append(value)

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import local_number, say, say_all
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
 from lispac.messages import error
@@ -92,8 +92,9 @@ class Field:
         if not self.low <= value <= self.high:
             raise InputError(
                 error(
-                    "window.out_of_range", field=say(self.title), text=f"{typed:g}",
-                    low=self.limit(self.low), high=self.limit(self.high), unit=self.sign,
+                    "window.out_of_range", field=say(self.title), text=local_number(f"{typed:g}"),
+                    low=local_number(self.limit(self.low)),
+                    high=local_number(self.limit(self.high)), unit=self.sign,
                 )
             )  # fmt: skip
         return value
