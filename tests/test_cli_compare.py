@@ -111,7 +111,7 @@ def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: P
     project = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
     assert "given twice" in refused(capsys, "compare", project.folder, project.folder)
     write_project(replace(project, folder=tmp_path / "bare", result=None, validation=()))
-    assert "bare: no method has estimated the boresight angles" in refused(
+    assert "bare: there is no answer yet; estimate first" in refused(
         capsys, "compare", project.folder, tmp_path / "bare"
     )
 
