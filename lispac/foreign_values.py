@@ -8,6 +8,9 @@ import json
 import tomllib
 from typing import Any
 
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
+
 DEEPEST = 60
 """Tables and lists inside each other; a project has about ten."""
 LARGEST_INTEGER = 2**63
@@ -39,8 +42,22 @@ class Shape:
         return True
 
 
-class Unfit(ValueError):
-    """What was read cannot be used, in words for those who know the file and not the code."""
+class InvalidContentError(ValueError):
+    """Content of a file that cannot be used.
+
+    Parameters
+    ----------
+    reason : Message
+        What is wrong, without the name of the file: a parameter of another message.
+    """
+
+    def __init__(self, reason: Message) -> None:
+        super().__init__(reason)
+        self.reason = reason
+
+    def __str__(self) -> str:
+        """Text of the message."""
+        return message_text(self.reason)
 
 
 def json_values(content: bytes | str) -> Any:
@@ -48,18 +65,18 @@ def json_values(content: bytes | str) -> Any:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
         Where it is not JSON, or holds what `require_usable` refuses.
     """
     try:
         text = content.decode("utf-8") if isinstance(content, bytes) else content
         values = json.loads(text)
-    except UnicodeDecodeError as error:
-        raise Unfit("it is not text") from error
-    except json.JSONDecodeError as error:
-        raise Unfit(f"it cannot be read from line {error.lineno} on") from error
-    except (ValueError, RecursionError) as error:
-        raise Unfit(_too_large(error)) from error
+    except UnicodeDecodeError as failure:
+        raise InvalidContentError(error("content.not_utf8")) from failure
+    except json.JSONDecodeError as failure:
+        raise InvalidContentError(error("content.not_json", line=failure.lineno)) from failure
+    except (ValueError, RecursionError) as failure:
+        raise InvalidContentError(_too_large(failure)) from failure
     require_usable(values)
     return values
 
@@ -69,24 +86,25 @@ def toml_values(content: bytes) -> dict[str, Any]:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
         Where it is not TOML, or holds what `require_usable` refuses.
     """
     try:
         values = tomllib.loads(content.decode("utf-8-sig"))
-    except UnicodeDecodeError as error:
-        raise Unfit("it is not UTF-8 text") from error
-    except tomllib.TOMLDecodeError as error:
-        raise Unfit(str(error).splitlines()[0]) from error
-    except (ValueError, RecursionError) as error:
-        raise Unfit(_too_large(error)) from error
+    except UnicodeDecodeError as failure:
+        raise InvalidContentError(error("content.not_utf8")) from failure
+    except tomllib.TOMLDecodeError as failure:
+        words = str(failure).splitlines()[0]
+        raise InvalidContentError(error("content.not_toml", reason=words)) from failure
+    except (ValueError, RecursionError) as failure:
+        raise InvalidContentError(_too_large(failure)) from failure
     require_usable(values)
     return values
 
 
-def _too_large(error: Exception) -> str:
-    deep = isinstance(error, RecursionError)
-    return "its lists or tables are nested too deeply" if deep else "a number in it is too large"
+def _too_large(failure: Exception) -> Message:
+    deep = isinstance(failure, RecursionError)
+    return error("content.nested_too_deeply" if deep else "content.number_too_large")
 
 
 def require_usable(values: Any) -> None:
@@ -98,13 +116,13 @@ def require_usable(values: Any) -> None:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
     """
     waiting = [(values, 0)]
     while waiting:
         value, depth = waiting.pop()
         if depth > DEEPEST:
-            raise Unfit("its lists or tables are nested too deeply")
+            raise InvalidContentError(error("content.nested_too_deeply"))
         if isinstance(value, dict):
             waiting += [(each, depth + 1) for pair in value.items() for each in pair]
         elif isinstance(value, list):
@@ -112,7 +130,7 @@ def require_usable(values: Any) -> None:
         elif isinstance(value, str):
             require_usable_text(value)
         elif isinstance(value, int) and abs(value) >= LARGEST_INTEGER:
-            raise Unfit("a number in it is too large")
+            raise InvalidContentError(error("content.number_too_large"))
 
 
 def require_usable_text(text: str) -> None:
@@ -120,14 +138,14 @@ def require_usable_text(text: str) -> None:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
     """
     if "\0" in text:
-        raise Unfit("a text in it has a null character")
+        raise InvalidContentError(error("content.null_character"))
     try:
         text.encode("utf-8", "surrogateescape")
-    except UnicodeEncodeError as error:
-        raise Unfit("a text in it has a character that is cut in half") from error
+    except UnicodeEncodeError as failure:
+        raise InvalidContentError(error("content.surrogate")) from failure
 
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r")

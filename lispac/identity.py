@@ -6,6 +6,7 @@ Everything is text as the user writes it, blank where it is not known. Nothing i
 from dataclasses import asdict, dataclass, fields, replace
 
 from lispac.errors import InputError
+from lispac.messages import error, note
 
 LONGEST = 200
 """Letters of a field; remarks may be ten times as long."""
@@ -89,12 +90,13 @@ HINTS = {
 
 
 def _tidy(name: str, text: str) -> str:
+    field = note(f"identity_field.{name}")
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
     if name != "remarks" and "\n" in tidy:
-        raise InputError(f"{LABELS[name]}: more than one line; put what is left to the remarks.")
+        raise InputError(error("identity.several_lines", field=field))
     if any(not letter.isprintable() and letter != "\n" for letter in tidy):
-        raise InputError(f"{LABELS[name]}: it holds a letter that cannot be printed; type it anew.")
+        raise InputError(error("identity.not_printable", field=field))
     longest = LONGEST * (10 if name == "remarks" else 1)
     if len(tidy) > longest:
-        raise InputError(f"{LABELS[name]}: longer than {longest:,} letters; shorten it.")
+        raise InputError(error("identity.too_long", field=field, held=len(tidy), longest=longest))
     return tidy

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.settings import USUAL, FinderChoices
 
@@ -102,12 +103,10 @@ def require_name(name: str) -> None:
     ProjectError
     """
     if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
-        raise ProjectError(
-            f"A target's name needs 1 to {LONGEST_NAME} printable characters; "
-            f"{name[:LONGEST_NAME]!r} does not do."
-        )
+        shown = repr(name[:LONGEST_NAME])
+        raise ProjectError(error("target.invalid_name", name=shown, longest=LONGEST_NAME))
     if any(character in name for character in "/\\:"):
-        raise ProjectError(f"{name}: a target's name cannot hold a slash or a colon.")
+        raise ProjectError(error("target.name_with_separator", name=name))
 
 
 def require_target(target: Target) -> None:
@@ -120,10 +119,8 @@ def require_target(target: Target) -> None:
     require_name(target.name)
     radius = target.sphere_radius
     if radius is not None and target.shape != "sphere":
-        raise ProjectError(f"{target.name}: only a sphere has a radius; leave it out for a plane.")
+        raise ProjectError(error("target.plane_with_radius", target=target.name))
     if radius is not None and not 0 < radius < np.inf:
-        raise ProjectError(f"{target.name}: a sphere needs a radius above 0 m, or none if unknown.")
+        raise ProjectError(error("target.invalid_radius", target=target.name, radius=radius))
     if target.shape == "sphere" and target.role == "validation":
-        raise ProjectError(
-            f"{target.name}: lines are compared on planes only; use the sphere as a target."
-        )
+        raise ProjectError(error("target.validation_sphere", target=target.name))

@@ -18,7 +18,7 @@ from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, Identity
-from lispac.messages import Message
+from lispac.messages import Message, error, note
 from lispac.opinions import METHODS, Method, Opinion
 from lispac.picks import ROLES as ROLES
 from lispac.picks import SHAPES as SHAPES
@@ -41,15 +41,20 @@ DEFAULT_THRESHOLD = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
 
 
-LIMITS = {
-    "position sigma": (1e-6, 1e4, "m"), "attitude sigma": (1e-9, 180.0, "deg"),
-    "LiDAR sigma": (1e-6, 100.0, "m"), "LiDAR sigma along x, y, z": (1e-6, 100.0, "m"),
-    "subsampling distance": (1e-6, 1e3, "m"), "scan-angle offset": (0.0, 360.0, "deg"),
-    "correlation time": (1e-3, 1e7, "s"), "surface sigma": (1e-7, 100.0, "m"),
-    "longest gap": (1e-3, 1e6, "s"),
+Unit = Literal["m", "deg", "s"]
+LIMITS: Mapping[str, tuple[float, float, Unit]] = {
+    "setting.position_sigma": (1e-6, 1e4, "m"), "setting.attitude_sigma": (1e-9, 180.0, "deg"),
+    "setting.lidar_sigma": (1e-6, 100.0, "m"), "setting.lidar_sigma_xyz": (1e-6, 100.0, "m"),
+    "setting.subsample": (1e-6, 1e3, "m"), "setting.scan_angle_offset": (0.0, 360.0, "deg"),
+    "setting.correlation_time": (1e-3, 1e7, "s"), "setting.surface": (1e-7, 100.0, "m"),
+    "setting.longest_gap": (1e-3, 1e6, "s"),
 }  # fmt: skip
 """Least and largest amount of each setting other than zero, and its unit. What lies beyond is an
 error of typing, and would overflow in the adjustment."""
+OUT_OF_RANGE: Mapping[Unit, str] = {
+    "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
+    "s": "settings.time_out_of_range",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -123,70 +128,78 @@ class Settings:
         InputError
         """
         numbers = {
-            "lever arm": self.lever_arm,
-            "boresight": self.boresight_deg,
-            "origin": self.origin_deg_m or (0.0,),
-            "position sigma": self.position_sigma,
-            "attitude sigma": self.attitude_sigma_deg,
-            "LiDAR sigma": (self.lidar_sigma,),
-            "subsampling distance": (self.subsample,),
-            "LiDAR sigma along x, y, z": self.lidar_sigma_xyz or (1.0,),
-            "LiDAR sigma of range and angle": self.lidar_beam_sigma or (1.0,),
-            "range offset": (self.range_offset,),
-            "scan-angle offset": (self.scan_angle_offset_deg,),
-            "latency": (self.latency,),
-            "correlation time": (self.position_time, self.attitude_time),
-            "surface sigma": (self.surface or 0.0,),
-            "longest gap": (self.longest_gap,),
+            "setting.lever_arm": self.lever_arm,
+            "setting.boresight": self.boresight_deg,
+            "setting.origin": self.origin_deg_m or (0.0,),
+            "setting.position_sigma": self.position_sigma,
+            "setting.attitude_sigma": self.attitude_sigma_deg,
+            "setting.lidar_sigma": (self.lidar_sigma,),
+            "setting.subsample": (self.subsample,),
+            "setting.lidar_sigma_xyz": self.lidar_sigma_xyz or (1.0,),
+            "setting.lidar_beam_sigma": self.lidar_beam_sigma or (1.0,),
+            "setting.range_offset": (self.range_offset,),
+            "setting.scan_angle_offset": (self.scan_angle_offset_deg,),
+            "setting.latency": (self.latency,),
+            "setting.correlation_time": (self.position_time, self.attitude_time),
+            "setting.surface": (self.surface or 0.0,),
+            "setting.longest_gap": (self.longest_gap,),
         }
         for name, values in numbers.items():
             if not np.isfinite(values).all():
-                raise InputError(f"The {name} is not a number; correct it.")
-            least, most, unit = LIMITS.get(name, (0.0, math.inf, ""))
-            for value in values:
-                if value and not least <= abs(value) <= most:
-                    raise InputError(
-                        f"The {name} is {value:g} {unit}, beyond what is possible "
-                        f"({least:g} to {most:g} {unit}); correct it."
-                    )
+                raise InputError(error("settings.not_finite", setting=note(name)))
+            if name in LIMITS:
+                least, most, unit = LIMITS[name]
+                for value in values:
+                    if value and not least <= abs(value) <= most:
+                        raise InputError(_out_of_range(name, value, least, most, unit))
         if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
-            raise InputError("A sigma or the subsampling distance is negative; correct it.")
+            raise InputError(error("settings.negative"))
         if self.pos_errors not in POS_ERRORS:
-            raise InputError(f"There is no model of POS errors named {self.pos_errors}.")
+            raise InputError(
+                error("settings.unknown_pos_errors", name=self.pos_errors, known=POS_ERRORS)
+            )
         lidar = (self.lidar_sigma, *(self.lidar_sigma_xyz or ()), *(self.lidar_beam_sigma or ()))
         if min(lidar) <= 0:
-            raise InputError("The LiDAR sigma must be larger than zero; correct it.")
+            raise InputError(error("settings.zero_lidar_sigma"))
         if self.lidar_sigma_xyz and self.lidar_beam_sigma:
-            raise InputError(
-                "The LiDAR sigma is given along x, y, z and along the beam; give one of the two."
-            )
+            raise InputError(error("settings.two_lidar_sigmas"))
         if not min(self.position_time, self.attitude_time) > 0:
-            raise InputError("A correlation time must be larger than zero seconds; correct it.")
+            raise InputError(error("settings.zero_correlation_time"))
         if self.surface is not None and self.surface < 0:
-            raise InputError("The surface sigma is negative; correct it.")
+            raise InputError(error("settings.negative_surface"))
         if not self.longest_gap > 0:
-            raise InputError("The longest gap bridged must be longer than zero seconds.")
+            raise InputError(error("settings.zero_longest_gap"))
         if self.loss is not None and self.loss not in LOSSES:
-            raise InputError(f"There is no loss named {self.loss}.")
-        if abs(self.latency) > 10 or abs(self.range_offset) > 10:
-            raise InputError("The latency or range offset is beyond 10 s or 10 m; correct it.")
+            raise InputError(error("settings.unknown_loss", name=self.loss, known=LOSSES))
+        if abs(self.latency) > 10:
+            raise InputError(error("settings.latency_too_large", value=self.latency))
+        if abs(self.range_offset) > 10:
+            raise InputError(error("settings.range_offset_too_large", value=self.range_offset))
         for parameter in self.parameters:
             if parameter.name not in SWITCHED:
                 raise InputError(
-                    f"There is no parameter {parameter.name}; give one of {', '.join(SWITCHED)}."
+                    error("settings.unknown_parameter", name=parameter.name, known=list(SWITCHED))
                 )
             if parameter.sigma is not None and not parameter.sigma > 0:
-                raise InputError(f"The sigma of {parameter.name} must be larger than zero.")
+                raise InputError(error("settings.zero_parameter_sigma", name=parameter.name))
         if len({parameter.name for parameter in self.parameters}) < len(self.parameters):
-            raise InputError("A parameter is to be estimated twice; name it once.")
+            raise InputError(error("settings.parameter_twice"))
         if np.abs(self.boresight_deg).max() > 360:
-            raise InputError("A prior boresight angle is beyond 360 deg; give degrees.")
+            largest = float(np.radians(np.abs(self.boresight_deg).max()))
+            raise InputError(error("settings.boresight_too_large", value=largest))
         if np.linalg.norm(self.lever_arm) > 100:
-            raise InputError("The lever arm is longer than 100 m; give metres.")
+            length = float(np.linalg.norm(self.lever_arm))
+            raise InputError(error("settings.lever_arm_too_long", length=length))
         if self.origin_deg_m is not None and abs(self.origin_deg_m[0]) > 90:
-            raise InputError(
-                "The origin's latitude is beyond 90 deg; give LAT LON HEIGHT in degrees."
-            )
+            latitude = float(np.radians(self.origin_deg_m[0]))
+            raise InputError(error("settings.latitude_out_of_range", latitude=latitude))
+
+
+def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit) -> Message:
+    """Message that a setting is outside its limits."""
+    if unit == "deg":
+        value, least, most = (math.radians(each) for each in (value, least, most))
+    return error(OUT_OF_RANGE[unit], setting=note(name), value=value, least=least, most=most)
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,7 +254,7 @@ class Project:
                 settings.latency,
             )
         if self.result is None:
-            raise ProjectError(f"{self.name}: there is no estimated boresight yet; estimate first.")
+            raise ProjectError(error("project.not_estimated", project=self.name))
         return self.result.mounting
 
     def of_role(self, role: Role) -> tuple[Target, ...]:
@@ -258,7 +271,7 @@ class Project:
         for target in self.targets:
             if target.name == name:
                 return target
-        raise ProjectError(f"{self.name}: there is no target or validation plane named {name}.")
+        raise ProjectError(error("project.no_target", project=self.name, name=name))
 
     def with_points_of(self, other: "Project") -> "Project":
         """The project with the points its sightings have in ``other``."""

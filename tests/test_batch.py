@@ -61,7 +61,7 @@ def test_every_project_has_a_row(
     out, err = capsys.readouterr()
     assert on_disk(projects) == before
     assert err == (
-        "lispac: 3 of 6 projects were refused: broken, moved, unpicked; the table says why.\n"
+        "lispac: 3 of 6 projects failed: broken, moved and unpicked. The table gives the reasons.\n"
     )
     rows = table(tmp_path / "table.csv")
     assert len(rows) == 6

@@ -204,7 +204,7 @@ def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[s
 
 def test_no_project_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     for command in ("estimate", "validate"):
-        assert "there is no project here" in refused(capsys, command, tmp_path / "none")
+        assert "contains no project" in refused(capsys, command, tmp_path / "none")
 
 
 def one_line(raw: Path) -> Path:

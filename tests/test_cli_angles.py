@@ -222,7 +222,7 @@ def test_refusals(capsys, tmp_path: Path) -> None:
     assert "left-handed" in refused(capsys, 1, 2, 3, "--to", "hypack", "--scanner", "kept")
     assert "not a direction" in refused(capsys, 1, 2, 3, "--to", "phoenix", "--body-axes",
                                         "ahead", "port", "up")  # fmt: skip
-    assert "no project here" in refused(capsys, tmp_path)
+    assert "contains no project" in refused(capsys, tmp_path)
 
 
 def test_wrong_usage(capsys, tmp_path: Path) -> None:
@@ -235,7 +235,7 @@ def test_wrong_usage(capsys, tmp_path: Path) -> None:
 
 
 def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
-    assert "estimate first" in refused(capsys, demo_project.folder, "--to", "applanix")
+    assert "have not been estimated" in refused(capsys, demo_project.folder, "--to", "applanix")
 
 
 def given_matrix(capsys, angles, *words) -> list[float]:

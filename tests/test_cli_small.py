@@ -93,7 +93,8 @@ def test_a_script_makes_the_survey_and_changes_it(small: Project, project: Proje
     assert opened.project.settings.subsample == 0.3
     with pytest.raises(ProjectError) as error:
         opened.seed("T1")
-    assert str(error.value) == "T1: give its place or a point of a line, one of them."
+    assert error.value.code == "script.place_or_point"
+    assert error.value.message.params == {"name": "T1"}
     again = project.folder.parent / "again"
     first, *others = small.lines
     made = lispac.new(
@@ -368,7 +369,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert err.count("has not been asked") == 3
     bare = replace(project, result=None)
     write_project(bare)
-    assert "let --compute ask other methods" in refused(capsys, "compare", project.folder)
+    assert "use --compute" in refused(capsys, "compare", project.folder)
 
 
 def test_the_trajectory_goes_out_as_text(

@@ -138,4 +138,4 @@ def test_a_proposal_is_not_added_to_targets_of_ones_own(
     copy: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["propose", str(copy.folder), "--accept"]) == 1
-    assert "leave out --accept" in capsys.readouterr().err
+    assert "Omit --accept" in capsys.readouterr().err

@@ -11,7 +11,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, LispacError, ProjectError
-from lispac.foreign_values import Unfit, as_cell, json_values, toml_values
+from lispac.foreign_values import InvalidContentError, as_cell, json_values, toml_values
 from lispac.io.files import written_whole
 from lispac.io.project_file import FILE_NAME, read_project
 from lispac.project import Project, Settings
@@ -26,7 +26,7 @@ from lispac.workflow.survey import load_survey
     ],
 )  # fmt: skip
 def test_json_that_cannot_be_used_is_refused(text: str | bytes) -> None:
-    with pytest.raises(Unfit):
+    with pytest.raises(InvalidContentError):
         json_values(text)
 
 
@@ -35,7 +35,7 @@ def test_json_that_cannot_be_used_is_refused(text: str | bytes) -> None:
     [b"a = " + b"[" * 3000, b"a = " + b"9" * 5000, b'a = "\\u0000"', b"a = 1\na = 2", b"a = \xff"],
 )
 def test_toml_that_cannot_be_used_is_refused(text: bytes) -> None:
-    with pytest.raises(Unfit):
+    with pytest.raises(InvalidContentError):
         toml_values(text)
 
 

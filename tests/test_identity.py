@@ -17,6 +17,8 @@ from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
 from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.message_texts import TEXTS
+from lispac.messages import error, note
 from lispac.project import LineSource, Project, Reading
 from lispac.report.document import document_of
 from lispac.report.html import html_text
@@ -57,17 +59,27 @@ def test_it_comes_back_and_drops_no_result(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("texts", "said"),
+    ("texts", "code", "params"),
     [
-        ({"vessel": "two\nlines"}, "Vessel: more than one line"),
-        ({"site": "a\x07b"}, "Site: it holds a letter that cannot be printed"),
-        ({"scanner_serial": "7" * 201}, "Scanner serial number: longer than 200 letters"),
-        ({"remarks": "7" * 2001}, "Remarks: longer than 2,000 letters"),
+        ({"vessel": "two\nlines"}, "several_lines", {}),
+        ({"site": "a\x07b"}, "not_printable", {}),
+        ({"scanner_serial": "7" * 201}, "too_long", {"held": 201, "longest": 200}),
+        ({"remarks": "7" * 2001}, "too_long", {"held": 2001, "longest": 2000}),
     ],
 )
-def test_what_cannot_be_printed_is_refused(texts: dict[str, str], said: str) -> None:
-    with pytest.raises(InputError, match=said):
+def test_what_cannot_be_printed_is_refused(
+    texts: dict[str, str], code: str, params: dict[str, int]
+) -> None:
+    with pytest.raises(InputError) as refused:
         FULL.changed(**texts)
+    (name,) = texts
+    field = note(f"identity_field.{name}")
+    assert refused.value.message == error(f"identity.{code}", field=field, **params)
+
+
+def test_every_field_has_a_name_in_messages() -> None:
+    fields = [code for code in TEXTS if code.startswith("identity_field.")]
+    assert fields == [f"identity_field.{name}" for name in NAMES]
 
 
 def test_blanks_around_go(tmp_path: Path) -> None:
@@ -81,8 +93,13 @@ def test_a_damaged_text_is_refused_with_the_file(tmp_path: Path) -> None:
     content = json.loads(path.read_text())
     content["identity"]["vessel"] = "\x01"
     path.write_text(json.dumps(content))
-    with pytest.raises(ProjectError, match=r"project\.json: Vessel: it holds a letter"):
+    with pytest.raises(ProjectError) as refused:
         read_project(project.folder)
+    field = note("identity_field.vessel")
+    assert refused.value.message == error(
+        "project.invalid_value", file=str(path),
+        reason=error("identity.not_printable", field=field),
+    )  # fmt: skip
 
 
 def test_the_command_sets_what_is_given_and_shows_all(
@@ -104,7 +121,7 @@ def test_the_command_sets_what_is_given_and_shows_all(
     assert read_project(folder).identity.vessel == ""
     capsys.readouterr()
     assert main(["identity", str(folder), "--vessel", "a\tb"]) == 1
-    assert capsys.readouterr().err.startswith("lispac: Vessel: it holds a letter")
+    assert capsys.readouterr().err.startswith("lispac: Vessel: the text contains a character")
 
 
 def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
@@ -193,7 +210,7 @@ def test_auto_refuses_where_the_times_do_not_tell(
     demo_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
-    assert "do not tell the date; type it" in capsys.readouterr().err
+    assert "the survey dates are not known" in capsys.readouterr().err
 
 
 def test_auto_takes_the_days_that_the_times_tell(
@@ -212,8 +229,8 @@ def test_auto_takes_the_days_that_the_times_tell(
 def test_dates_without_a_day_are_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     folder = sample_project(tmp_path / "harbour").folder
     write_project(sample_project(folder))
-    code, _, error = run(capsys, "identity", folder, "--dates", "32/13/2026")
+    code, _, err = run(capsys, "identity", folder, "--dates", "32/13/2026")
     assert code == 0
-    assert "no day like 2026-03-04 is in the dates (32/13/2026)" in error
-    _, _, error = run(capsys, "identity", folder, "--dates", "2026-03-04 and 2026-03-05")
-    assert error == ""
+    assert "no day like 2026-03-04 is in the dates (32/13/2026)" in err
+    _, _, err = run(capsys, "identity", folder, "--dates", "2026-03-04 and 2026-03-05")
+    assert err == ""

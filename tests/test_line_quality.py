@@ -117,7 +117,9 @@ def test_the_command_prints_draws_and_lists(
     assert code == 0
     assert "Lines placed with the prior boresight" in out
     assert "RMSD" in out
-    assert "estimate first" in refused(capsys, "quality", project.folder, "--with", "estimated")
+    assert "have not been estimated" in refused(
+        capsys, "quality", project.folder, "--with", "estimated"
+    )
     assert "at most 10 m" in refused(capsys, "quality", project.folder, "--reach", "11")
 
 
@@ -126,7 +128,7 @@ def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> Non
     with pytest.raises(InputError, match=r"at most 10 m"):
         line_quality(project, survey, reach=0.0)
     bare = Project(project.folder, project.trajectory, project.lines, project.settings)
-    with pytest.raises(ProjectError, match="estimate first"):
+    with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         line_quality(bare, survey, which="estimated")
 
 

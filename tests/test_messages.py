@@ -117,7 +117,7 @@ def test_every_code_is_used() -> None:
 
 def made_from_parts(code: str) -> bool:
     """Whether a code is made of its topic and a name: ``recovery.lever_arm_x``."""
-    return code.startswith(("audit.", "recovery."))
+    return code.startswith(("audit.", "identity_field.", "recovery."))
 
 
 def test_an_error_shows_its_message_in_the_language_in_use() -> None:

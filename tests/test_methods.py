@@ -10,6 +10,7 @@ import pytest
 
 from lispac.errors import AdjustmentError, ProjectError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.messages import Message, error
 from lispac.methods import SHARED, answers, missing, sentences
 from lispac.opinions import Method, Opinion
 from lispac.project import Project, Settings
@@ -92,17 +93,19 @@ def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path:
     path = tmp_path / FILE_NAME
     sound = json.loads(path.read_text())
 
-    def spoilt(change: Callable[[dict[str, object]], None]) -> str:
+    def spoilt(change: Callable[[dict[str, object]], None]) -> Message:
         content = json.loads(json.dumps(sound))
         change(content["opinions"][0])
         path.write_text(json.dumps(content))
         with pytest.raises(ProjectError) as caught:
             read_project(tmp_path)
-        return str(caught.value)
+        assert caught.value.code == "project.damaged"
+        return caught.value.message.params["reason"]
 
-    assert "the answer of patch test" in spoilt(lambda one: one.update(covariance=[[0.0] * 3] * 3))
-    assert "the answer of patch test" in spoilt(lambda one: one.update(boresight=[0.0, 1.0]))
-    assert "damaged" in spoilt(lambda one: one.update(method="guess"))
+    invalid = error("content.invalid_angles", method="patch test")
+    assert spoilt(lambda one: one.update(covariance=[[0.0] * 3] * 3)) == invalid
+    assert spoilt(lambda one: one.update(boresight=[0.0, 1.0])) == invalid
+    assert spoilt(lambda one: one.update(method="guess")).code == "content.wrong_form"
 
 
 def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Survey]) -> None:
@@ -149,7 +152,7 @@ def test_the_command_shows_them_side_by_side(
     assert "+0.3000" in out
     assert "targetless: It rests on two lines." in out
     write_project(replace(project, result=None, opinions=(), validation=(), absolute=None))
-    assert "estimate first" in refused(capsys, "compare", tmp_path / "p")
+    assert "Run lispac estimate" in refused(capsys, "compare", tmp_path / "p")
 
 
 def test_compute_asks_keeps_and_says_what_cannot_be_asked(

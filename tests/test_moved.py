@@ -140,11 +140,11 @@ def test_at_the_command_line_and_in_a_script(
     assert "lispac locate" in capsys.readouterr().err
     assert missing(lispac.open(home, files=usb).project) == ()
     assert main(["locate", str(home), str(usb / "nowhere")]) == 1
-    assert "there is no such folder" in capsys.readouterr().err
+    assert "nowhere: the folder does not exist" in capsys.readouterr().err
     assert main(["locate", str(home), str(usb / "quay" / "nav")]) == 1
     out, err = capsys.readouterr()
     assert out.count("was moved: it is read from") == 2
-    assert "not here: " in err
+    assert "not in this folder: " in err
     assert main(["locate", str(home), str(usb)]) == 0
     capsys.readouterr()
     assert main(["locate", str(home), str(usb)]) == 0

@@ -139,8 +139,8 @@ def test_a_logo_that_cannot_be_drawn_is_named(
     words = ["report", demo_project.folder, "--output", output, "--template", template]
     assert main([str(word) for word in words]) == 1
     said = capsys.readouterr().err
-    assert f"{logo}: this picture cannot be drawn (" in said
-    assert "save it anew as PNG or SVG" in said
+    assert f"{logo}: the picture is damaged or not supported (" in said
+    assert "Save it again as PNG or SVG" in said
     assert ".pdf" not in said
     assert not output.exists()
 

@@ -171,20 +171,26 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
     ("step", "said"),
     [
         (lambda quay: quay.seed("T9", (500.0, 500.0, 500.0)), "No line has a plane"),
-        (lambda quay: quay.seed("T9"), "one of them"),
-        (lambda quay: quay.seed("T9", (0, 0, 0), point=("L1_000", 1)), "one of them"),
+        (lambda quay: quay.seed("T9"), "a position or a point"),
+        (
+            lambda quay: quay.seed("T9", (0, 0, 0), point=("L1_000", 1)),
+            "a position or a point",
+        ),
         (lambda quay: quay.seed("T9", point=("L1_000", 10**9)), "has points 0 to"),
         (lambda quay: quay.seed("T9", point=("L1_000", -1)), "number -1 is asked for"),
         (lambda quay: quay.seed("T9", point=("L9", 1)), "there is no line L9"),
-        (lambda quay: quay.reject("T1", "L9"), "was not found on L9"),
-        (lambda quay: quay.change(lidar_sigma=-1.0), "larger than zero"),
+        (lambda quay: quay.reject("T1", "L9"), "no sighting in line L9"),
+        (
+            lambda quay: quay.change(lidar_sigma=-1.0),
+            "LiDAR standard deviation",
+        ),
         (lambda quay: quay.rename("T1", ""), "needs a name"),
         (lambda quay: quay.estimate(), "All sightings are on line L1_000"),
-        (lambda quay: quay.validate(), "no estimated boresight"),
+        (lambda quay: quay.validate(), "have not been estimated"),
         (lambda quay: quay.check("nothing.csv"), "estimate first"),
         (lambda quay: quay.report("report.doc"), "a report is written as"),
         (lambda quay: quay.export("lines", "map", form="csv"), "cannot be exported as csv"),
-        (lambda quay: quay.boresight_deg, "estimate first"),
+        (lambda quay: quay.boresight_deg, "have not been estimated"),
     ],
 )
 def test_what_is_refused_changes_nothing(opened, step, said: str) -> None:

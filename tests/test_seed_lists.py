@@ -204,5 +204,5 @@ def test_cancelled_half_way_and_what_cannot_be_sought(
     assert demo_project.targets == ()
     with pytest.raises(InputError, match="threshold"):
         pick_seeds(demo_project, survey, read.seeds, {"threshold": -1.0})
-    with pytest.raises(ProjectError, match="radius above 0"):
+    with pytest.raises(ProjectError, check=lambda e: e.code == "target.invalid_radius"):
         pick_seeds(demo_project, survey, read.seeds, {"shape": "sphere", "sphere_radius": -1.0})

@@ -264,8 +264,9 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     said = refused(capsys, "simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
     assert "no vessel named barge" in said
     for option, value, told in (
-        ("--latency", 100, "latency is beyond 10 s"), ("--range-offset", -50, "beyond 10 m"),
-        ("--scan-angle-offset", 400, "beyond 180 deg"),
+        ("--latency", 100, "latency of 100 s is larger than 10.0 s"),
+        ("--range-offset", -50, "range offset of 50.0 m is larger than 10.0 m"),
+        ("--scan-angle-offset", 400, "scan-angle offset of 400 deg is larger than 180 deg"),
     ):  # fmt: skip
         said = refused(capsys, "simulate", "port", option, value, "--output", tmp_path / "a")
         assert told in said

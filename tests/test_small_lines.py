@@ -160,7 +160,7 @@ def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project
     shown = survey.shown(project, "prior", progress=lambda _share, words="": told.append(words))
     assert told == ["Placing L1"]
     assert dict(shown) == dict(survey.clouds)
-    with pytest.raises(ProjectError, match="there is no estimated boresight yet; estimate first"):
+    with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         survey.shown(project, "estimated")
 
 

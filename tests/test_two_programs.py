@@ -89,7 +89,7 @@ def test_a_project_written_meanwhile_is_not_overwritten(folder: Path) -> None:
 
 
 def test_a_project_made_meanwhile_is_not_overwritten(folder: Path) -> None:
-    with pytest.raises(ProjectError, match="already"):
+    with pytest.raises(ProjectError, check=lambda e: e.code == "project.exists"):
         write_project(read_project(folder), expected="")
 
 
@@ -142,8 +142,9 @@ def test_a_project_that_another_changes_is_waited_for_or_refused(
     other.start()
     held.wait(60)
     before = (folder / FILE_NAME).read_bytes()
-    with pytest.raises(ProjectError, match="changing"), project_lock(folder, wait=0.1):
+    with pytest.raises(ProjectError) as refused, project_lock(folder, wait=0.1):
         pass
+    assert refused.value.code == "project.locked"
     monkeypatch.setattr(locking, "WAIT", 0.1)
     told: list[str] = []
     threading.Timer(0.3, end.set).start()

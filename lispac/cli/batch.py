@@ -9,6 +9,7 @@ from typing import Any
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.workflow.batch import Row, each_row, write_table
 from lispac.workflow.report_options import report_options
 
@@ -45,8 +46,7 @@ def batch(arguments: Namespace) -> None:
     refused = [row.name for row in rows if row.verdict == "refused"]
     if refused:
         raise ProjectError(
-            f"{len(refused)} of {len(rows)} projects were refused: {', '.join(refused)}; the "
-            "table says why."
+            error("cli.projects_failed", count=len(refused), total=len(rows), names=refused)
         )
 
 

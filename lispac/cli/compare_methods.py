@@ -9,6 +9,7 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.methods import WANTED, Answer, answers, missing, sentences
 from lispac.progress import part
 from lispac.project import Project
@@ -31,10 +32,7 @@ def compare_methods(arguments: Namespace) -> None:
             project, refused = _asked(project)
     found = answers(project)
     if not found:
-        raise ProjectError(
-            f"{project.name}: there is no answer yet; estimate first, or let --compute ask other "
-            "methods."
-        )
+        raise ProjectError(error("cli.no_results", project=project.name))
     if arguments.json:
         print_json(
             {

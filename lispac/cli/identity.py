@@ -7,10 +7,11 @@ from dataclasses import asdict
 from lispac.cli.console import opened, print_json
 from lispac.errors import InputError
 from lispac.identity import LABELS, NAMES
+from lispac.messages import error
 from lispac.project import Project
 from lispac.workflow.history import day_in
 from lispac.workflow.projects import save_project
-from lispac.workflow.survey_dates import NOT_TOLD, survey_dates
+from lispac.workflow.survey_dates import survey_dates
 
 AUTO = "auto"
 
@@ -45,5 +46,5 @@ def identity(arguments: Namespace) -> None:
 def _dates(project: Project) -> str:
     found = survey_dates(project)
     if not found:
-        raise InputError(f"{project.name}: {NOT_TOLD}")
+        raise InputError(error("cli.no_dates", project=project.name))
     return found

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from lispac.cli.console import opened
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.project import Project
 from lispac.workflow.moved import found_words, missing, with_files_in
 from lispac.workflow.projects import opened_with_notes, save_project
@@ -19,7 +20,7 @@ def locate(arguments: Namespace) -> None:
         Where none is there, or others are still missing; what was found is saved all the same.
     """
     if not arguments.folder.is_dir():
-        raise InputError(f"{arguments.folder}: there is no such folder; check the path.")
+        raise InputError(error("cli.no_folder", folder=str(arguments.folder)))
     with opened(arguments.project, change=True):
         before, notes = opened_with_notes(arguments.project)
         for note in notes:
@@ -30,8 +31,10 @@ def locate(arguments: Namespace) -> None:
         print(found_words(path))
     gone = missing(after)
     if gone:
-        names = ", ".join(path.name for path in gone)
-        raise InputError(f"{arguments.folder}: not here: {names}; say where, too.")
+        names = [path.name for path in gone]
+        raise InputError(
+            error("cli.files_not_found", folder=str(arguments.folder), count=len(gone), names=names)
+        )
     if after is before and not notes:
         print("No file is missing.")
 

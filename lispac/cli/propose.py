@@ -9,6 +9,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.workflow import projects
 from lispac.workflow.proposing import propose as proposal_for
 from lispac.workflow.seeking import thinned_words
@@ -26,8 +27,7 @@ def propose(arguments: Namespace) -> None:
     with opened(arguments.project, change=arguments.accept) as project:
         if arguments.accept and project.targets:
             raise ProjectError(
-                f"{project.name}: it has targets of its own; leave out --accept to see the "
-                "proposal, or make a new project for it."
+                error("cli.has_targets", project=project.name, count=len(project.targets))
             )
         with ConsoleProgress() as progress:
             survey = load_survey(project, progress=progress)

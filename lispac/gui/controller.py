@@ -16,6 +16,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.wishes import Wishes
+from lispac.messages import error
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
 from lispac.workflow import edits
@@ -188,11 +189,11 @@ class Controller(QObject):
                 if not self.may_overwrite(project):
                     return False
                 saved = save_project(project)
-        except LispacError as error:
-            self.refused.emit(type(error)(f"{error} File > Save as… does that."))
+        except LispacError as failure:
+            self.refused.emit(type(failure)(error("window.not_saved", reason=failure.reason)))
             return False
-        except OSError as error:
-            self.refused.emit(error)
+        except OSError as failure:
+            self.refused.emit(failure)
             return False
         self._document.mark_saved(saved.file_digest)
         self.noted.emit(f"Saved {project.name}")

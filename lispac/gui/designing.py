@@ -20,6 +20,7 @@ from lispac.gui.panels.histograms import preload
 from lispac.gui.tasks import TaskRunner
 from lispac.installed import home_folder
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.messages import error
 from lispac.progress import Progress
 from lispac.workflow.designing import headline, write_field_plan
 from lispac.workflow.replay import Replay, replay
@@ -27,10 +28,6 @@ from lispac.workflow.survey import load_survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
-
-NO_PROJECT = (
-    "No project is open: open the one that was surveyed by this plan in the main window first."
-)
 
 
 class Designing(QObject):
@@ -181,7 +178,7 @@ class Designing(QObject):
     def _whole(self) -> None:
         plan = self.workspace.titled.plan
         if not plan.targets or not plan.lines:
-            raise LispacError("A plan needs a target and a line; add one of each before saving.")
+            raise LispacError(error("window.plan_incomplete"))
 
     def _note(self, text: str) -> None:
         if self.window is not None:
@@ -266,9 +263,9 @@ class Designing(QObject):
         try:
             self._whole()
             if project is None:
-                raise ProjectError(NO_PROJECT)
-        except LispacError as error:
-            self._dialogs.show_error(error)
+                raise ProjectError(error("window.no_project_to_compare"))
+        except LispacError as failure:
+            self._dialogs.show_error(failure)
             return
 
         def work(progress: Progress) -> Replay:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
-from lispac.language import short_datetime, use_language
+from lispac.language import number, short_datetime, use_language
 from lispac.project import Project
 from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.reverse_translation.translation import Translator
@@ -106,6 +106,13 @@ def _names(project: Project) -> Iterable[str]:
             yield path.name
     for target in project.targets:
         yield target.name
+
+
+def local_number(figure: str) -> str:
+    """A figure in English notation as the user's language writes it."""
+    if "e" in figure:
+        return figure
+    return number(float(figure.replace(",", "")), len(figure.partition(".")[2]))
 
 
 def say(text: str) -> str:

@@ -17,6 +17,7 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Viewport
 from lispac.installed import home_folder
 from lispac.io.files import written_whole
+from lispac.messages import error
 from lispac.progress import Progress
 
 NO_SECTION = "There is no section to take a picture of: select a target and press S"
@@ -55,9 +56,7 @@ class Pictures(QObject):
 
         def write(part: Path) -> None:
             if not image.save(str(part), "PNG"):
-                raise InputError(
-                    f"{path}: the picture cannot be written there; choose another folder."
-                )
+                raise InputError(error("window.picture_not_written", file=str(path)))
 
         self._write(path, write)
 

@@ -14,6 +14,7 @@ from lispac.errors import InputError
 from lispac.gui.photographer import Photographer
 from lispac.gui.places import kept
 from lispac.installed import home_folder
+from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
@@ -180,5 +181,5 @@ def _as_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
         files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
         for caption, file in files.items():
             if not pictures[caption].save(str(file), "PNG"):
-                raise InputError(f"{file}: the picture cannot be written; make room on the disk.")
+                raise InputError(error("window.disk_full", file=str(file)))
         yield files

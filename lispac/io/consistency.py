@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from lispac.io.values import Unfit
+from lispac.foreign_values import InvalidContentError
+from lispac.messages import error
 from lispac.project import ROLES, SHAPES, Project, require_target
 
 
@@ -11,22 +12,28 @@ def require_consistent(project: Project) -> None:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
     """
     project.settings.require_sound()
     project.identity.require_sound()
     lines = {line.name for line in project.lines}
     for target in project.targets:
         if target.role not in ROLES:
-            raise Unfit(f"{target.name} has the role {target.role!r}")
+            raise InvalidContentError(
+                error("content.unknown_role", target=target.name, role=str(target.role))
+            )
         if target.shape not in SHAPES:
-            raise Unfit(f"{target.name} has the shape {target.shape!r}")
+            raise InvalidContentError(
+                error("content.unknown_shape", target=target.name, shape=str(target.shape))
+            )
         require_target(target)
         if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
-            raise Unfit(f"seed, threshold or radius of {target.name}")
+            raise InvalidContentError(error("content.invalid_search", target=target.name))
         for sighting in target.sightings:
             if sighting.line not in lines:
-                raise Unfit(f"{target.name} is on a line {sighting.line} that is not listed")
+                raise InvalidContentError(
+                    error("content.unknown_line", target=target.name, line=sighting.line)
+                )
     for opinion in project.opinions:
         if not opinion.is_sound():
-            raise Unfit(f"the answer of {opinion.method}")
+            raise InvalidContentError(error("content.invalid_angles", method=opinion.method))

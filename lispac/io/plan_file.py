@@ -55,13 +55,13 @@ def read_plan(path: Path) -> TitledPlan:
         targets = _targets(table, wall)
         lines = tuple(_line(each) for each in table.tables("lines"))
         if not targets:
-            raise table.refuse("boards", "has no board; add [[boards]] or [[balls]]")
+            raise table.refuse("boards", "plan.no_targets")
         if not lines:
-            raise table.refuse("lines", "is empty; add [[lines]]")
+            raise table.refuse("lines", "plan.no_lines")
         names = [target.name for target in targets]
         for name in names:
             if names.count(name) > 1:
-                raise table.refuse("boards", f"has {name} twice; give each target its own name")
+                raise table.refuse("boards", "plan.name_twice", name=name)
         interval = 60.0 * table.number("minutes_per_line", USUAL_INTERVAL, over=0.0)
         return TitledPlan(
             title, Plan(targets, lines, wall.middle, system, interval, flatness), wall
@@ -92,7 +92,7 @@ def read_site(path: Path) -> tuple[str, Site]:
             tall = hang.numbers("height_m", None, (Site.sizes[0][1],), least=0.05)
             if len(width) != len(tall):
                 raise hang.refuse(
-                    "height_m", "and width_m differ in number; give one of each a size"
+                    "height_m", "plan.sizes_differ", widths=len(width), heights=len(tall)
                 )
         with table.table("sail") as sail:
             lines = _whole(sail, "lines", 6, least=2, most=12)
@@ -114,7 +114,7 @@ def read_site(path: Path) -> tuple[str, Site]:
 def _whole(table: Table, key: str, usual: int, *, least: int, most: int) -> int:
     value = table.number(key, float(usual), least=float(least), most=float(most))
     if value != int(value):
-        raise table.refuse(key, f"holds {value:g}; give a whole number")
+        raise table.refuse(key, "plan.not_whole", value=f"{value:g}")
     return int(value)
 
 

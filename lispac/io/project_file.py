@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.errors import InputError, ProjectChanged, ProjectError
-from lispac.foreign_values import Unfit, json_values
+from lispac.foreign_values import InvalidContentError, json_values
 from lispac.identity import Identity
 from lispac.io.consistency import require_consistent
 from lispac.io.files import not_written, remove_abandoned, remove_empty, written_whole
@@ -35,7 +35,7 @@ from lispac.io.project_lock import FILE_NAME as FILE_NAME
 from lispac.io.project_lock import digest_of, project_lock
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import decoded, encoded, in_one_line
-from lispac.messages import Message
+from lispac.messages import Message, error
 from lispac.opinions import Opinion
 from lispac.project import (
     LineSource,
@@ -89,13 +89,8 @@ def write_project(project: Project, *, expected: str | None = None) -> str:
     with _folder_made(folder), project_lock(folder):
         if expected is not None and (found := _digest_on_disk(path)) != expected:
             if found and not expected:
-                raise ProjectError(
-                    f"{folder}: there is a project here already; choose another folder."
-                )
-            raise ProjectChanged(
-                f"{folder}: another program has written this project since it was opened; nothing "
-                "was saved. Open it again and repeat your changes, or save it in another folder."
-            )
+                raise ProjectError(error("project.exists", folder=str(folder)))
+            raise ProjectChanged(error("project.changed_on_disk", folder=str(folder)))
         used = _write(project, FILE_NAME)
         _write_opener(folder / OPENER)
         _remove_unused(folder, used | _used_unsaved(folder))
@@ -116,8 +111,8 @@ def _folder_made(folder: Path) -> Iterator[None]:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         yield
-    except OSError as error:
-        raise not_written(folder / FILE_NAME, error) from error
+    except OSError as failure:
+        raise not_written(folder / FILE_NAME, failure) from failure
     finally:
         remove_empty(made)
 
@@ -211,7 +206,7 @@ def project_folder(path: Path) -> Path:
     path = Path(path)
     folder = path.parent if is_project_file(path) else path
     if not (folder / FILE_NAME).is_file():
-        raise ProjectError(f"{path}: there is no project here ({FILE_NAME} is missing).")
+        raise ProjectError(error("project.not_found", folder=str(path), missing=FILE_NAME))
     return folder
 
 
@@ -227,11 +222,11 @@ def _read(path: Path) -> Project:
     while True:
         try:
             content = path.read_bytes()
-        except OSError as error:
+        except OSError as failure:
+            reason = failure.strerror or str(failure)
             raise ProjectError(
-                f"{path}: the project file cannot be read ({error.strerror or error}); "
-                "check the disk and its permissions."
-            ) from error
+                error("project.unreadable", file=str(path), reason=reason)
+            ) from failure
         try:
             return replace(_decoded(path, content), file_digest=digest_of(content))
         except ProjectError:
@@ -244,27 +239,29 @@ def _decoded(path: Path, text: bytes) -> Project:
         content = json_values(text)
         version = content["schema_version"]
         if version > SCHEMA_VERSION:
-            raise ProjectError(
-                f"{path}: made by a newer version of the program (schema {version}); update it."
-            )
+            raise ProjectError(error("project.newer_version", file=str(path), version=version))
         project = _decode(path.parent.resolve(), upgraded(content))
         require_consistent(project)
-    except InputError as error:
-        raise ProjectError(f"{path}: {error}") from error
+    except InputError as failure:
+        raise ProjectError(
+            error("project.invalid_value", file=str(path), reason=failure.reason)
+        ) from failure
     except (
         ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError,
-    ) as error:  # fmt: skip
+    ) as failure:  # fmt: skip
         raise ProjectError(
-            f"{path}: the project file is damaged ({_plainly(error)}); restore it from a copy."
-        ) from error
+            error("project.damaged", file=str(path), reason=_damage(failure))
+        ) from failure
     return project
 
 
-def _plainly(error: Exception) -> str:
-    """What is wrong with the file, without the words of those who read it."""
-    if isinstance(error, KeyError):
-        return f"{error.args[0]} is missing in it"
-    return str(error) if isinstance(error, Unfit) else "something in it is of the wrong kind"
+def _damage(failure: Exception) -> Message:
+    """What is wrong with the content of a project file."""
+    if isinstance(failure, KeyError):
+        return error("content.missing_field", field=str(failure.args[0]))
+    if isinstance(failure, InvalidContentError):
+        return failure.reason
+    return error("content.wrong_type")
 
 
 def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
@@ -364,7 +361,7 @@ def _decode_result(content: Any) -> AdjustmentResult:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
         Where they do not, or the content is not a result.
     """
     result = decoded(content, AdjustmentResult)
@@ -378,17 +375,14 @@ def _decode_result(content: Any) -> AdjustmentResult:
         or not {each.sighting for each in result.reliability} <= sightings
         or any(each is not None and each.shape != (3,) for each in without_line.values())
     ):
-        raise Unfit("the parts of its result contradict each other")
+        raise InvalidContentError(error("content.inconsistent_result"))
     return result
 
 
 def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
     path = folder / content["indices"]
     if not path.is_file():
-        raise ProjectError(
-            f"{path}: the points of target {content['name']} are missing; restore the file from a "
-            "copy of the project, or make the project again."
-        )
+        raise ProjectError(error("project.points_missing", file=str(path), target=content["name"]))
     sightings = tuple(
         PickedSighting(
             item["line"],
@@ -426,11 +420,11 @@ def _count(sighting: dict[str, Any]) -> int:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
     """
     count = sighting["points"]
     if isinstance(count, bool) or not isinstance(count, int) or count < 0:
-        raise Unfit("the number of points of a sighting is not one")
+        raise InvalidContentError(error("content.invalid_point_count"))
     return count
 
 
@@ -450,7 +444,7 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
     Raises
     ------
     ProjectError
-    """  # noqa: DOC501 - its own ValueError is caught
+    """  # noqa: DOC501 - its own InvalidContentError is caught
     try:
         # Opened here: numpy leaves a file open where it cannot make sense of it.
         with path.open("rb") as file, np.load(file) as arrays:
@@ -459,18 +453,26 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
                 # Before it is unpacked: a small file may claim any size
                 size = arrays.zip.getinfo(f"line{k}.npy").file_size
                 if size > INDEX_BYTES * count + ARRAY_HEADER:
-                    raise ValueError(f"it holds {size:,} bytes for {count:,} points")
+                    raise InvalidContentError(
+                        error("content.too_many_bytes", bytes=size, count=count)
+                    )
                 found.append(arrays[f"line{k}"])
         for indices, count in zip(found, points, strict=True):
             if indices.ndim != 1 or indices.dtype.kind not in "iu" or (indices < 0).any():
-                raise ValueError(f"it holds {indices.dtype} of shape {indices.shape}")
+                raise InvalidContentError(error("content.not_indices"))
             if len(indices) != count:
-                raise ValueError(f"it holds {len(indices):,} of {count:,} points")
-    except UNREADABLE as error:
+                raise InvalidContentError(
+                    error("content.too_few_points", held=len(indices), count=count)
+                )
+    except InvalidContentError as failure:
         raise ProjectError(
-            f"{path}: the points of target {target} are damaged ({in_one_line(error)}); restore "
-            "the file from a copy of the project, or make the project again."
-        ) from error
+            error("project.points_damaged", file=str(path), target=target, reason=failure.reason)
+        ) from failure
+    except UNREADABLE as failure:
+        reason = error("content.unreadable", reason=in_one_line(failure))
+        raise ProjectError(
+            error("project.points_damaged", file=str(path), target=target, reason=reason)
+        ) from failure
     return found
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from lispac.errors import ProjectError
 from lispac.io.files import not_written
 from lispac.locks import LockTaken, file_lock
+from lispac.messages import error
 
 FILE_NAME = "project.json"
 LOCK_NAME = ".project.lock"
@@ -53,13 +54,10 @@ def project_lock(
     lock = file_lock(folder / LOCK_NAME, wait=wait, waiting=waiting)
     try:
         lock.__enter__()
-    except LockTaken as error:
-        raise ProjectError(
-            f"{folder}: another program is changing this project; nothing was saved. "
-            "Wait until it has ended, then try again."
-        ) from error
-    except OSError as error:
-        raise not_written(folder / FILE_NAME, error) from error
+    except LockTaken as failure:
+        raise ProjectError(error("project.locked", folder=str(folder))) from failure
+    except OSError as failure:
+        raise not_written(folder / FILE_NAME, failure) from failure
     _held[key] = 1
     try:
         yield

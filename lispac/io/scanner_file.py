@@ -23,10 +23,10 @@ def read_scanner(path: Path) -> tuple[str, Scanner]:
         axis = cast(Axis, table.choice("axis", ("x", "z"), "x"))
         first, last = np.radians(table.numbers("window_deg", 2, least=-360, most=360))
         if not 0 < last - first <= 2 * np.pi + 1e-12:
-            raise table.refuse("window_deg", "has to grow, by 360 deg at most")
+            raise table.refuse("window_deg", "scanner.window")
         elevations = table.numbers("elevations_deg", None, (0.0,), least=-90, most=90)
         if not elevations:
-            raise table.refuse("elevations_deg", "is empty; give the elevation of every beam")
+            raise table.refuse("elevations_deg", "scanner.no_elevations")
         nearest = table.number("min_range_m", 0.0, least=0)
         return title, Scanner(
             pulses_per_second=table.number("pulses_per_second", over=0, most=1e7),

@@ -83,7 +83,7 @@ def read_scene(path: Path) -> SceneFile:
                 roles[role].append(name)
             surfaces += _surfaces(each, name, sought=role is not None)
         if not surfaces:
-            raise table.refuse("surfaces", "is missing; write [[surfaces]] above each surface")
+            raise table.refuse("surfaces", "scene.no_surfaces")
         passes, stretches = _lines(table)
         trajectory = table.text("trajectory", None)
         return SceneFile(
@@ -107,18 +107,18 @@ def _origin(table: Table) -> tuple[float, float, float] | None:
 def _require_seekable(table: Table, name: str, surfaces: list[Surface]) -> None:
     try:
         require_name(name)
-    except ProjectError as error:
-        raise table.refuse("name", f"cannot be used for a target: {error}".rstrip(".")) from error
+    except ProjectError as failure:
+        raise table.refuse("name", "scene.target_name", reason=failure.reason) from failure
     if any(surface.name == name for surface in surfaces):
-        raise table.refuse("name", f"{name} stands twice; give each target a name of its own")
+        raise table.refuse("name", "scene.name_twice", name=name)
 
 
 def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
     kind = table.choice("kind", KINDS)
     if sought and kind not in ("board", "wall", "sphere"):
-        raise table.refuse("role", f"cannot be given to a {kind}; seek boards, walls and spheres")
+        raise table.refuse("role", "scene.role_of_kind", kind=kind)
     if sought and kind == "sphere" and table.choice("role", ROLES) == "validation":
-        raise table.refuse("role", "is validation; a ball can only be a target")
+        raise table.refuse("role", "scene.validation_sphere")
     reflectance = table.number("reflectance", 0.4, least=0, most=1)
     if kind == "board":
         return [_board(table, name, reflectance)]
@@ -177,11 +177,11 @@ def _lines(table: Table) -> tuple[tuple[Pass, ...], tuple[Stretch, ...]]:
             stretches.append(Stretch(start, stop, side == "starboard"))
             continue
         if distance is None:
-            raise table.refuse("pattern.distance_m", "is missing; say how far off the lines pass")
+            raise table.refuse("pattern.distance_m", "scene.no_distance")
         heading, bearing = line.number("heading_deg"), line.number("bearing_deg")
         off = (bearing - heading) % 360
         if off in (0, 180):
-            raise line.refuse("bearing_deg", "lies along the heading; the site has to lie abeam")
+            raise line.refuse("bearing_deg", "scene.bearing_along_heading")
         to = np.radians(bearing)
         passes.append(
             Pass(
@@ -191,9 +191,9 @@ def _lines(table: Table) -> tuple[tuple[Pass, ...], tuple[Stretch, ...]]:
             )
         )  # fmt: skip
     if passes and stretches:
-        raise table.refuse("lines", "mixes headings with start_s; give one of the two in all")
+        raise table.refuse("lines", "scene.mixed_lines")
     if not passes and not stretches:
-        raise table.refuse("lines", "is missing; write [[lines]] above each line")
+        raise table.refuse("lines", "scene.no_lines")
     if any(each.run_in + each.run_out < 1 for each in passes):
-        raise table.refuse("lines", "holds a line of less than 1 m; give run_in_m and run_out_m")
+        raise table.refuse("lines", "scene.line_too_short")
     return tuple(passes), tuple(stretches)

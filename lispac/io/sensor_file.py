@@ -7,6 +7,7 @@ from pathlib import Path
 from lispac.errors import InputError
 from lispac.io.files import written_whole
 from lispac.io.toml_table import Table, quoted
+from lispac.messages import error
 from lispac.project import Triple
 
 STATES = ("rtk", "ppk", "degraded")
@@ -112,16 +113,14 @@ def read_pos_figures(path: Path) -> PosFigures:
                     )
                 )  # fmt: skip
         if not states:
-            raise InputError(
-                f"{path}: no sigmas are stated; write [rtk], [ppk] or [degraded] above them."
-            )
+            raise InputError(error("sensor.no_accuracies", file=str(path), tables=STATES))
         return PosFigures(title, tuple(states))
 
 
 def _sigmas(table: Table, key: str, most: float) -> Triple:
     a, b, c = table.numbers(key, 3, least=0, most=most)
     if min(a, b, c) <= 0:
-        raise table.refuse(key, "holds zero; nothing is known exactly, give more than 0")
+        raise table.refuse(key, "sensor.zero_sigma")
     return a, b, c
 
 

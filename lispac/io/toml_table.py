@@ -1,4 +1,4 @@
-"""Tables of a TOML file, read key by key; what is wrong is said with file, key and remedy."""
+"""Tables of a TOML file, read key by key; errors name the file, the key and what to do."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import InputError
-from lispac.foreign_values import Unfit, toml_values
+from lispac.foreign_values import InvalidContentError, toml_values
 from lispac.io.files import require_file
+from lispac.messages import Level, Message, Value, error
 
 NOTHING: Any = object()
 """No default: the key has to be there."""
@@ -38,8 +39,10 @@ class Table:
         path = require_file(Path(path), what)
         try:
             values = toml_values(path.read_bytes())
-        except Unfit as error:
-            raise InputError(f"{path}: this is not sound TOML ({error}); correct it.") from error
+        except InvalidContentError as failure:
+            raise InputError(
+                error("toml.invalid", file=str(path), reason=failure.reason)
+            ) from failure
         table = cls(path, values)
         yield table
         table.done()
@@ -48,29 +51,30 @@ class Table:
         self._known.add(key)
         return key in self._values
 
-    def refuse(self, key: str, why: str) -> InputError:
-        """An error about a key."""
-        return InputError(f"{self.path}: {self._named(key)} {why}.")
+    def refuse(self, key: str, code: str, /, **params: Value) -> InputError:
+        """An error about a key; its text has the placeholders ``file`` and ``key``."""
+        about = {"file": str(self.path), "key": self._named(key), **params}
+        return InputError(Message(code, Level.ERROR, about))
 
     def text(self, key: str, default: Any = NOTHING) -> str:
         """A string that is not empty."""
         value = self._value(key, default)
         if value is not default and not (isinstance(value, str) and value.strip()):
-            raise self.refuse(key, f"is {_shown(value)}, not a text; put words between quotes")
+            raise self.refuse(key, "toml.not_text", value=_shown(value))
         return value
 
     def choice(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
         """One of some words."""
         value = self._value(key, default)
         if value is not default and value not in words:
-            raise self.refuse(key, f"is {_shown(value)}; give one of {', '.join(words)}")
+            raise self.refuse(key, "toml.not_a_choice", value=_shown(value), choices=words)
         return value
 
     def flag(self, key: str, default: Any = NOTHING) -> bool:
         """True or false."""
         value = self._value(key, default)
         if not isinstance(value, bool):
-            raise self.refuse(key, f"is {_shown(value)}; give true or false")
+            raise self.refuse(key, "toml.not_true_or_false", value=_shown(value))
         return value
 
     def number(
@@ -92,8 +96,9 @@ class Table:
         if value is default:
             return value
         if not isinstance(value, list) or (count is not None and len(value) != count):
-            many = "numbers" if count is None else f"{count} numbers"
-            raise self.refuse(key, f"is {_shown(value)}; give {many} in brackets")
+            if count is None:
+                raise self.refuse(key, "toml.not_numbers", value=_shown(value))
+            raise self.refuse(key, "toml.wrong_number_count", value=_shown(value), count=count)
         return tuple(self._sound(key, each, least, most, -math.inf) for each in value)
 
     def three(
@@ -108,7 +113,7 @@ class Table:
         """A table inside this one; an empty one where it is not there."""
         value = self._value(key, {})
         if not isinstance(value, dict):
-            raise self.refuse(key, f"is {_shown(value)}, not a table; write [{key}] above its keys")
+            raise self.refuse(key, "toml.not_a_table", value=_shown(value), table=key)
         inner = Table(self.path, value, f"{self._place}{key}.")
         yield inner
         inner.done()
@@ -117,7 +122,7 @@ class Table:
         """The tables of a list, one after the other."""
         value = self._value(key, [])
         if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
-            raise self.refuse(key, f"is no list of tables; write [[{key}]] above each of them")
+            raise self.refuse(key, "toml.not_a_list_of_tables", table=key)
         for k, each in enumerate(value):
             inner = Table(self.path, each, f"{self._place}{key}[{k + 1}].")
             yield inner
@@ -139,10 +144,9 @@ class Table:
                 near = get_close_matches(key, self._known, 1, 0.6) or [
                     known for known in sorted(self._known) if known.startswith(f"{key}_")
                 ]
-                wanted = f"did you mean {near[0]}?" if near else (
-                    f"known are {', '.join(sorted(self._known))}"
-                )  # fmt: skip
-                raise self.refuse(key, f"is not known here; {wanted.rstrip('?')}")
+                if near:
+                    raise self.refuse(key, "toml.unknown_key_similar", similar=near[0])
+                raise self.refuse(key, "toml.unknown_key", known=sorted(self._known))
 
     def _named(self, key: str) -> str:
         named = f"{self._place}{key}"
@@ -156,20 +160,21 @@ class Table:
             stem = key.split("_")[0]
             near = [k for k in self._values if k not in self._known and k.split("_")[0] == stem]
             if near:
-                raise self.refuse(near[0], f"is not known here; it has to be named {key}")
-            raise InputError(f"{self.path}: {self._named(key)} is missing; add it.")
+                raise self.refuse(near[0], "toml.wrong_key", wanted=key)
+            raise self.refuse(key, "toml.missing_key")
         return default
 
     def _sound(self, key: str, value: Any, least: float, most: float, over: float) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.refuse(key, f"holds {_shown(value)}, which is not a number; correct it")
+            raise self.refuse(key, "toml.not_a_number", value=_shown(value))
         if not math.isfinite(value):
-            raise self.refuse(key, f"holds {_shown(value)}, which is not finite; correct it")
-        if value < least or value <= over:
-            wanted = f"at least {least:g}" if value < least else f"more than {over:g}"
-            raise self.refuse(key, f"holds {value:g}; give {wanted}")
+            raise self.refuse(key, "toml.not_finite", value=_shown(value))
+        if value < least:
+            raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=f"{least:g}")
+        if value <= over:
+            raise self.refuse(key, "toml.not_above", value=f"{value:g}", bound=f"{over:g}")
         if value > most:
-            raise self.refuse(key, f"holds {value:g}; give at most {most:g}")
+            raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{most:g}")
         return float(value)
 
 

@@ -1,6 +1,5 @@
 """Results and settings as plain values for JSON, and back, by their type annotations."""
 
-import re
 from dataclasses import is_dataclass
 from functools import cache, partial
 from math import inf
@@ -10,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import LispacError
-from lispac.foreign_values import Shape
-from lispac.foreign_values import Unfit as Unfit
-from lispac.messages import Message
+from lispac.foreign_values import InvalidContentError, Shape
+from lispac.messages import Message, error
 from lispac.messages import Value as MessageValue
 
 Value = TypeVar("Value")
@@ -47,27 +45,27 @@ def _message_value(converter: Any, value: Any) -> Any:
 
 def _integer(value: Any, _: Any) -> int:
     if type(value) is not int:
-        raise Unfit("a count is not an integer")
+        raise InvalidContentError(error("content.not_integer"))
     return value
 
 
 def _number(value: Any, _: Any) -> float:
     if type(value) not in (int, float) or value != value:
-        raise Unfit("a value is not a number")
+        raise InvalidContentError(error("content.not_number"))
     if LARGEST_NUMBER < abs(value) < inf:
-        raise Unfit("a number in it is too large")
+        raise InvalidContentError(error("content.quantity_too_large"))
     return float(value)
 
 
 def _truth(value: Any, _: Any) -> bool:
     if type(value) is not bool:
-        raise Unfit("a value is not true or false")
+        raise InvalidContentError(error("content.not_boolean"))
     return value
 
 
 def _text(value: Any, _: Any) -> str:
     if type(value) is not str:
-        raise Unfit("a value is not text")
+        raise InvalidContentError(error("content.value_not_text"))
     return value
 
 
@@ -81,10 +79,10 @@ def _tuple_reader(converter: Any, kind: Any) -> Any:
 
     def read(value: Any, _: Any) -> tuple[Any, ...]:
         if not isinstance(value, list | tuple):
-            raise Unfit("a value is not a list")
+            raise InvalidContentError(error("content.not_list"))
         kinds = [inner[0]] * len(value) if inner[-1] is Ellipsis else list(inner)
         if len(kinds) != len(value):
-            raise Unfit("a list has another length")
+            raise InvalidContentError(error("content.wrong_length"))
         return tuple(converter.structure(each, one) for each, one in zip(value, kinds, strict=True))
 
     return read
@@ -111,15 +109,15 @@ def _array(value: Any, kind: Any) -> NDArray[Any]:
     dtype = np.dtype(get_args(get_args(_bare(kind))[1])[0])
     found = np.array(value) if dtype.kind in "iu" else np.array(value, dtype=object)
     if not isinstance(value, list) or any(isinstance(each, str | bool) for each in found.flat):
-        raise Unfit("a list has values that are not numbers")
+        raise InvalidContentError(error("content.not_numbers"))
     if dtype.kind in "iu" and found.size and found.dtype.kind not in "iu":
-        raise Unfit("a list has values that are not integers")
+        raise InvalidContentError(error("content.not_integers"))
     try:
         array = np.array(value, dtype=dtype)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise Unfit("a list has values that are not numbers") from error
+    except (TypeError, ValueError, OverflowError) as failure:
+        raise InvalidContentError(error("content.not_numbers")) from failure
     if array.dtype.kind == "f" and (np.abs(array[np.isfinite(array)]) > LARGEST_NUMBER).any():
-        raise Unfit("a number in it is too large")
+        raise InvalidContentError(error("content.quantity_too_large"))
     return array
 
 
@@ -154,7 +152,7 @@ def _checked_reader(converter: Any, kind: Any) -> Any:
         for name, shape in shapes.items():
             array = getattr(made, name)
             if array is not None and not shape.fits(array.shape, known):
-                raise Unfit(f"{name} has another shape than it must have")
+                raise InvalidContentError(error("content.wrong_shape", field=name))
         return made
 
     return checked
@@ -170,35 +168,35 @@ def decoded(content: Any, kind: type[Value]) -> Value:
 
     Raises
     ------
-    Unfit
+    InvalidContentError
         Where the content does not fit the type.
     """
     from cattrs.errors import BaseValidationError, ForbiddenExtraKeysError
 
     try:
         return _converter().structure(content, kind)
-    except (BaseValidationError, ForbiddenExtraKeysError, Unfit) as error:
-        raise Unfit(f"its {_in_words(kind)} cannot be read{_reason(error)}") from error
+    except (BaseValidationError, ForbiddenExtraKeysError, InvalidContentError) as failure:
+        raise InvalidContentError(_reason(failure, _name_of(kind))) from failure
 
 
-def _in_words(kind: type[Any]) -> str:
-    if get_origin(kind) is tuple:
-        return "list"
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind.__name__).lower()
+def _name_of(kind: type[Any]) -> str:
+    return "list" if get_origin(kind) is tuple else kind.__name__
 
 
-def _reason(error: BaseException) -> str:
-    """The innermost of nested errors where it says something to those who do not know the code."""
+def _reason(failure: BaseException, part: str) -> Message:
+    """Message about the innermost of nested errors."""
     from cattrs.errors import ForbiddenExtraKeysError
 
-    while isinstance(error, BaseExceptionGroup):
-        error = error.exceptions[0]
-    if isinstance(error, ForbiddenExtraKeysError):
-        return f": {', '.join(sorted(error.extra_fields))} is not known"
-    return f": {error}" if isinstance(error, LispacError | Unfit) else ""
+    while isinstance(failure, BaseExceptionGroup):
+        failure = failure.exceptions[0]
+    if isinstance(failure, ForbiddenExtraKeysError):
+        return error("content.unknown_fields", part=part, names=sorted(failure.extra_fields))
+    if isinstance(failure, LispacError | InvalidContentError):
+        return error("content.invalid_part", part=part, reason=failure.reason)
+    return error("content.wrong_form", part=part)
 
 
-def in_one_line(error: BaseException) -> str:
-    """What an error of the system or a library is called and says, in one line."""
-    said = str(error).splitlines()
-    return f"{type(error).__name__}: {said[0]}" if said else type(error).__name__
+def in_one_line(failure: BaseException) -> str:
+    """Name and first line of an error of the system or a library."""
+    said = str(failure).splitlines()
+    return f"{type(failure).__name__}: {said[0]}" if said else type(failure).__name__

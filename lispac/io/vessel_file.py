@@ -7,6 +7,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.toml_table import Table
+from lispac.messages import error
 from lispac.project import Triple
 from lispac.simulation.pos_error_models import (
     GnssOutage,
@@ -56,15 +57,20 @@ class MountingErrors:
         InputError
             Where an error is beyond what any mounting has.
         """
-        for name, values, most, unit in (
-            ("boresight", self.boresight_deg, 180.0, "deg"),
-            ("scan-angle offset", (self.scan_angle_offset_deg,), 180.0, "deg"),
-            ("error of the lever arm", self.lever_arm, 100.0, "m"),
-            ("range offset", (self.range_offset,), 10.0, "m"),
-            ("latency", (self.latency,), 10.0, "s"),
+        for code, values, most in (
+            ("vessel.boresight_too_large", np.radians(self.boresight_deg), np.pi),
+            (
+                "vessel.scan_angle_offset_too_large",
+                np.radians([self.scan_angle_offset_deg]),
+                np.pi,
+            ),
+            ("vessel.lever_arm_error_too_large", np.array(self.lever_arm), 100.0),
+            ("vessel.range_offset_too_large", np.array([self.range_offset]), 10.0),
+            ("vessel.latency_too_large", np.array([self.latency]), 10.0),
         ):
-            if max(abs(value) for value in values) > most:
-                raise InputError(f"The {name} is beyond {most:g} {unit}; give a smaller one.")
+            largest = float(np.abs(values).max())
+            if largest > most:
+                raise InputError(error(code, value=largest, most=most))
         return Mounting(
             np.array(lever_arm) + np.array(self.lever_arm),
             np.radians(self.boresight_deg),
@@ -109,7 +115,7 @@ def read_vessel(path: Path) -> Vessel:
     with Table.read(path, "vessel") as table:
         parts = [_pos(part) for part in table.tables("pos")]
         if not parts:
-            raise table.refuse("pos", "is missing; write [[pos]] above each of its errors")
+            raise table.refuse("pos", "vessel.no_pos_errors")
         with table.table("errors") as errors:
             found = mounting_errors(errors)
         return Vessel(

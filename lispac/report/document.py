@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.report import sections
 from lispac.report.absolute_section import absolute
 from lispac.report.blocks import (
@@ -119,11 +120,14 @@ def _views(pictures: Mapping[str, Path]) -> list[Picture]:
 def _picture(caption: str, path: Path) -> Picture:
     suffix = path.suffix.lower()
     if suffix not in (".png", ".svg"):
-        raise InputError(f"{path}: only PNG and SVG pictures go into a report.")
+        raise InputError(error("report.picture_format", file=str(path)))
     try:
         return Picture(caption, path.read_bytes(), suffix)
-    except OSError as error:
-        raise InputError(f"{path}: this picture cannot be read ({error.strerror}).") from error
+    except OSError as failure:
+        reason = failure.strerror or str(failure)
+        raise InputError(
+            error("report.picture_unreadable", file=str(path), reason=reason)
+        ) from failure
 
 
 def _section(title: str, blocks: Sequence[Block]) -> Section:

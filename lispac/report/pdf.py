@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import LispacError
+from lispac.messages import error
 from lispac.report.blocks import Document
 from lispac.report.document import document_of
 from lispac.report.options import USUAL, ReportOptions
@@ -108,10 +109,10 @@ def _typesetting(
         made = datetime.fromisoformat(content.generated)
         try:
             yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
-        except typst.TypstError as error:
+        except typst.TypstError as failure:
             given = [options.logo, *pictures.values()]
             _refuse_unreadable([path for path in given if path is not None], folder)
-            raise LispacError(f"The report could not be set ({error.message}).") from error
+            raise LispacError(error("report.not_typeset", reason=str(failure.message))) from failure
 
 
 def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
@@ -130,11 +131,10 @@ def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
         main.write_text(f'#image("{name}")', encoding="utf-8")
         try:
             typst.compile(main, root=folder, format="pdf")
-        except typst.TypstError as error:
+        except typst.TypstError as failure:
             raise LispacError(
-                f"{path}: this picture cannot be drawn ({error.message}); save it anew as PNG or "
-                "SVG."
-            ) from error
+                error("report.picture_invalid", file=str(path), reason=str(failure.message))
+            ) from failure
 
 
 def _lay_out(document: Document, folder: Path) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.project import LineSource, Role, Shape, Target
 from lispac.scripting.held import Held
 from lispac.targets.expected import ExpectedTarget
@@ -129,7 +130,7 @@ class OpenProject(Held):
         """
         survey = self.survey
         if (at is None) == (point is None):
-            raise ProjectError(f"{name}: give its place or a point of a line, one of them.")
+            raise ProjectError(error("script.place_or_point", name=name))
         if point is not None:
             clicked_on, number = point
             place = picking.point_of(self.project, survey, clicked_on, number)
@@ -330,9 +331,12 @@ class OpenProject(Held):
         ProjectError
             Where there is no such export.
         """
-        if what not in ENDINGS or (form and form not in ENDINGS[what]):
-            known = ", ".join(f"{key} ({', '.join(forms)})" for key, forms in ENDINGS.items())
-            raise ProjectError(f"{what} cannot be exported as {form or 'a file'}; choose: {known}.")
+        if what not in ENDINGS:
+            raise ProjectError(error("script.unknown_export", what=what, known=list(ENDINGS)))
+        if form and form not in ENDINGS[what]:
+            raise ProjectError(
+                error("script.unknown_export_format", what=what, form=form, forms=ENDINGS[what])
+            )
         # Lines go where they came from, everything else to the local frame, if nobody says more.
         system = crs if what == "lines" else crs or LOCAL
         request = ExportRequest(
@@ -371,7 +375,5 @@ class OpenProject(Held):
             self.project = edits.with_use_of_target(self.project, name, used)
             return
         if self.project.target(name).sighting(line) is None:
-            raise ProjectError(
-                f"{name} was not found on {line}; there is no sighting to leave out."
-            )
+            raise ProjectError(error("script.no_sighting", target=name, line=line))
         self.project = edits.with_use_of_sighting(self.project, name, line, used)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from lispac.design.plan import Plan
-from lispac.foreign_values import Unfit, toml_values
+from lispac.foreign_values import InvalidContentError, toml_values
 from lispac.io.plan_file import read_plan
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.project import Triple
@@ -37,7 +37,7 @@ def is_plan(path: Path) -> bool:
     """Whether a file is a plan and no scene; what cannot be read is neither."""
     try:
         keys = toml_values(Path(path).read_bytes()).keys()
-    except (OSError, Unfit):
+    except (OSError, InvalidContentError):
         return False
     return bool({"boards", "balls"} & keys)
 

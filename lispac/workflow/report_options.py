@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import InputError
-from lispac.foreign_values import Unfit, toml_values
+from lispac.foreign_values import InvalidContentError, toml_values
 from lispac.io.files import require_file
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
 from lispac.reverse_translation.catalogue import catalogue_of
@@ -40,7 +40,7 @@ def _of_template(path: Path) -> ReportOptions:
     require_file(path, "report template")
     try:
         content = toml_values(path.read_bytes())
-    except (OSError, Unfit) as error:
+    except (OSError, InvalidContentError) as error:
         raise InputError(
             f"{path}: this report template is no TOML file ({error}); it holds lines such as "
             'company = "Levés du Fleuve".'

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from lispac.causes import Cause
 from lispac.errors import InputError, ProjectError
+from lispac.foreign_values import InvalidContentError
 from lispac.io.formats import format_of, is_las
 from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
-from lispac.io.values import Unfit, decoded
+from lispac.io.values import decoded
 from lispac.messages import Level, Message, Value, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
@@ -275,7 +276,7 @@ def _opened(
             )
         try:
             found = decoded(stored.manifest.audit, Found) if stored.manifest.audit else None
-        except Unfit as failure:
+        except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
         return stored, cloud, said, found
     progress(0.0, f"Reading {line.path.name}")

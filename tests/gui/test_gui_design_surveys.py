@@ -146,7 +146,7 @@ def test_a_plan_that_cannot_be_adjusted_is_refused(driver: Driver, coarse: Desig
     driver.dialogs.errors.clear()
     coarse.workspace.remove_line()
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
-    assert "A plan needs a target and a line" in coarse.task_bar.currentMessage()
+    assert "at least one target and one line" in coarse.task_bar.currentMessage()
 
 
 def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWindow) -> None:

@@ -44,7 +44,7 @@ def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) ->
 def test_an_end_of_a_range_may_be_typed_as_it_is_said(qapp: QApplication) -> None:
     assert LINE["distance"].limit(edits.FARTHEST) == "656.2"
     assert LINE["distance"].read("656.2") == edits.FARTHEST
-    with pytest.raises(InputError, match=r"700 ft is out of range; give 3\.281 to 656\.2 ft"):
+    with pytest.raises(InputError, match=r"700 ft is out of range\. Give 3\.281 to 656\.2 ft"):
         LINE["distance"].read("700")
 
 
@@ -56,7 +56,7 @@ def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplicatio
     assert vars(site) == vars(metric)
     form.lists["heights"].setText("10, 20")
     assert form.site(titled)[1].heights == pytest.approx((10 * FOOT, 20 * FOOT))
-    assert "700 is out of range; give -164 to 656.2 ft" in refusal("700")
+    assert "700 ft is out of range. Give -164 to 656.2 ft" in refusal("700")
 
 
 def refusal(text: str) -> str:

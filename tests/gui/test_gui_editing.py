@@ -159,7 +159,7 @@ def test_roles_change_but_for_spheres(picked: Driver) -> None:
     window.document.edit("trial", picked.project.with_target(ball))
     window._select("T1", "")
     press(picked, Key.Key_F8)
-    assert "compared on planes only" in str(picked.dialogs.errors[0])
+    assert picked.dialogs.errors[0].code == "target.validation_sphere"
     assert picked.project.target("T1").role == "target"
 
 

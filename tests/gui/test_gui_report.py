@@ -64,7 +64,7 @@ def test_what_is_wrong_is_said_and_cancel_changes_nothing(opened: Driver) -> Non
             dialog.findChild(QPushButton, "identity_keep"),
         )
         type_into(opened, field(dialog, "vessel"), "V" * 201)
-        assert said.text().startswith("Vessel: longer than 200 letters")
+        assert said.text().startswith("Vessel: the text has 201 characters")
         assert not keep.isEnabled()
         type_into(opened, field(dialog, "vessel"), "V")
         assert said.text() == ""

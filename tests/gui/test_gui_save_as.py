@@ -104,7 +104,9 @@ def test_a_folder_that_cannot_be_written_names_the_remedy(
 
     monkeypatch.setattr("lispac.workflow.projects.write_project", refused)
     press(harbour, Key.Key_S, Control)
-    assert str(harbour.dialogs.errors[0]).endswith("another folder. File > Save as… does that.")
+    (error,) = harbour.dialogs.errors
+    assert error.code == "window.not_saved"
+    assert "another folder. Use File > Save as…" in str(error)
     assert harbour.window.isWindowModified()
     monkeypatch.undo()
     harbour.dialogs.path = tmp_path / "mine"

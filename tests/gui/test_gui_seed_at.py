@@ -104,7 +104,7 @@ def test_mistakes_are_told_while_typing(picked: Driver) -> None:
         typed("seed_coordinate_1", "-14.7")
         assert "from the trajectory." in typed("seed_coordinate_2", "8.1")
         assert find(dialog).isEnabled()
-        assert "There is a T1 already" in typed("seed_name", "T1")
+        assert "The name T1 is already used" in typed("seed_name", "T1")
         assert not find(dialog).isEnabled()
         assert "printable" in typed("seed_name", " ")
         assert "slash" in typed("seed_name", "a/b")

@@ -244,7 +244,7 @@ def test_a_broken_file_is_named_above_the_buttons(
     path.write_text('title = "Mine"\n')
     dialog = SettingsDialog(Preferences(), tmp_path)
     qtbot.addWidget(dialog)
-    assert dialog.library.said.text() == f"{path}: range_sigma_m is missing; add it."
+    assert dialog.library.said.text() == f"{path}: range_sigma_m is missing. Add it."
 
 
 def test_a_new_project_begins_with_the_usual_sensors_and_names_them(

@@ -9,11 +9,12 @@ from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui import units
-from lispac.gui.language import say
+from lispac.gui.language import local_number, say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
 from lispac.io.plan_file import TitledPlan
+from lispac.messages import error
 
 # name of the site's field: (label, unit, low, high, tip)
 LISTS = {
@@ -47,18 +48,24 @@ def numbers_of(
         shown, factor = units.unit(base).sign, units.unit(base).factor
     parts = text.replace(",", " " if decimal == "." else ".").split()
     if not parts:
-        raise InputError(f"{what}: give at least one number in {shown}.")
+        raise InputError(error("window.no_numbers", field=say(what), unit=shown))
     found = []
     for part in parts:
         try:
             typed = float(part)
         except ValueError:
-            raise InputError(f"{what}: “{part}” is not a number; give {shown}.") from None
+            raise InputError(
+                error("window.not_a_number_in", field=say(what), text=part, unit=shown)
+            ) from None
         value = units.ended(typed / factor, base, low, high)
         if not low <= value <= high:
             raise InputError(
-                f"{what}: {typed:g} is out of range; give {_ends(low, high, base)} {shown}."
-            )
+                error(
+                    "window.out_of_range", field=say(what), text=local_number(f"{typed:g}"),
+                    low=local_number(_end(low, base)), high=local_number(_end(high, base)),
+                    unit=shown,
+                )
+            )  # fmt: skip
         found.append(value)
     return tuple(dict.fromkeys(found))
 
@@ -212,7 +219,11 @@ def _apart(values: Sequence[float], unit: str) -> str:
 
 
 def _ends(low: float, high: float, base: Base | None) -> str:
-    return " to ".join(f"{v:g}" if base is None else units.limit(v, base) for v in (low, high))
+    return f"{_end(low, base)} to {_end(high, base)}"
+
+
+def _end(value: float, base: Base | None) -> str:
+    return f"{value:g}" if base is None else units.limit(value, base)
 
 
 def _in_units(said: str, base: Base | None) -> str:

@@ -17,9 +17,10 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import local_number, say, say_all
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
+from lispac.messages import error
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ class Field:
         text = text.strip()
         if self.words:
             if not text or len(text) > 24:
-                raise InputError(f"{self.title}: give 1 to 24 letters.")
+                raise InputError(error("window.name_length", field=say(self.title), longest=24))
             return text
         if self.choices:
             return text
@@ -83,14 +84,19 @@ class Field:
         except ValueError:
             typed = math.nan
         if not math.isfinite(typed):
-            raise InputError(f"{self.title}: “{text}” is not a number; give {self.sign}.")
+            raise InputError(
+                error("window.not_a_number_in", field=say(self.title), text=text, unit=self.sign)
+            )
         value = typed if self.base is None else typed / units.unit(self.base).factor
         value = units.ended(value, self.base, self.low, self.high)
         if not self.low <= value <= self.high:
             raise InputError(
-                f"{self.title}: {typed:g} {self.sign} is out of range; give "
-                f"{self.limit(self.low)} to {self.limit(self.high)} {self.sign}."
-            )
+                error(
+                    "window.out_of_range", field=say(self.title), text=local_number(f"{typed:g}"),
+                    low=local_number(self.limit(self.low)),
+                    high=local_number(self.limit(self.high)), unit=self.sign,
+                )
+            )  # fmt: skip
         return value
 
     def said(self, value: float | str | None) -> str:

@@ -23,6 +23,7 @@ from lispac.gui.dialogs.system_choice import HEIGHTS, REST_MS, system_box, syste
 from lispac.gui.language import say, say_all, say_sentences
 from lispac.gui.panels import widgets
 from lispac.installed import expanded
+from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import (
@@ -178,7 +179,7 @@ class ExportDialog(QDialog):
         try:
             epoch = float(text) if text else None
         except ValueError:
-            raise InputError(f"{text}: not a date as a decimal year; 2024.5 for example.") from None
+            raise InputError(error("window.not_a_decimal_year", text=text)) from None
         datum = self.datum.text().strip()
         return (None if self._differ and not datum else datum), epoch
 

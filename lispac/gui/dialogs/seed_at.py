@@ -11,6 +11,7 @@ from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
+from lispac.messages import error
 from lispac.project import Project, Triple, require_name
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.coordinates import away, axes_of, require_near
@@ -108,8 +109,8 @@ class SeedDialog(QDialog):
         if not self.choice.waiting:
             try:
                 text = self._meaning()
-            except (InputError, ProjectError) as error:
-                role, text = "error", say(str(error))
+            except (InputError, ProjectError) as failure:
+                role, text = "error", say(str(failure))
         self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
@@ -125,13 +126,13 @@ class SeedDialog(QDialog):
         ProjectError
             With what is wrong.
         """
-        if self.choice.problem:
-            raise InputError(self.choice.problem)
+        if self.choice.problem is not None:
+            raise InputError(self.choice.problem.reason)
         name = self.name.text().strip()
         if not self._added:
             require_name(name)
             if any(target.name == name for target in self._project.targets):
-                raise ProjectError(f"There is a {name} already; give the seed another name.")
+                raise ProjectError(error("window.name_taken", name=name))
         system = self.choice.system
         axes = axes_of(system)
         values = []
@@ -145,8 +146,9 @@ class SeedDialog(QDialog):
             field.style().polish(field)
         for field, axis, value in zip(self.fields, axes, values, strict=True):
             if value is None and field.text().strip():
+                title = say(f"{axis[:1].upper()}{axis[1:]}")
                 raise InputError(
-                    f"{axis[:1].upper()}{axis[1:]}: “{field.text().strip()}” is not a number."
+                    error("window.not_a_number", field=title, text=field.text().strip())
                 )
         point = np.array([value for value in values if value is not None])
         if len(point) < 3:

@@ -111,8 +111,8 @@ class SeedListDialog(QDialog):
         columns = self.columns.text().replace(",", " ").split()
         if self.choice.waiting:
             role, text = "muted", ""
-        elif self.choice.problem:
-            text = say(self.choice.problem)
+        elif self.choice.problem is not None:
+            text = say(str(self.choice.problem))
         else:
             try:
                 self._read = read_seeds(

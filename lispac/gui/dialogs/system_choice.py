@@ -5,8 +5,9 @@ from typing import cast
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit
 
-from lispac.errors import LispacError
+from lispac.errors import InputError, LispacError
 from lispac.gui.language import say
+from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
@@ -55,8 +56,8 @@ class SystemChoice(QObject):
     ----------
     system : CoordinateSystem or None
         None for the local frame.
-    problem : str
-        Why there is no system; empty where there is one.
+    problem : LispacError or None
+        Why there is no system; None where there is one.
     waiting : bool
         Whether something is being typed that has not been looked at.
     """
@@ -76,7 +77,8 @@ class SystemChoice(QObject):
             say("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid")
         )
         self.system: CoordinateSystem | None = None
-        self.problem, self.waiting = "", False
+        self.problem: LispacError | None = None
+        self.waiting = False
         self._form: QFormLayout | None = None
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
@@ -102,17 +104,17 @@ class SystemChoice(QObject):
 
     def _judge(self) -> None:
         self._settle.stop()
-        self.waiting, self.problem, self.system = False, "", None
+        self.waiting, self.problem, self.system = False, None, None
         text, chosen = system_text(self.box), self.box.findText(self.box.currentText().strip()) >= 0
         self._show_heights(text != LOCAL)
         if not text and not chosen:
-            self.problem = "Choose a coordinate system, or type its EPSG code."
+            self.problem = InputError(error("window.no_coordinate_system"))
         elif text != LOCAL:
             height = self.height.text().strip()
             try:
                 self.system = system_of(self._project, self._trajectory, text, height)
-            except LispacError as error:
-                self.problem = str(error)
+            except LispacError as failure:
+                self.problem = failure
         self.changed.emit()
 
     def _show_heights(self, shown: bool) -> None:

@@ -14,6 +14,7 @@ from lispac.gui import units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
+from lispac.messages import error
 from lispac.project import Settings
 
 TIMES = (
@@ -142,8 +143,10 @@ class ModelSettings(QWidget):
             attitude_time=_kept(self.attitude_time.value(), settings.attitude_time, 0.051),
             surface=self.surface.value(),
             loss=LOSSES[self.loss.currentIndex()][0],
-            lidar_sigma_xyz=self._all(self.axes, "along X, Y and Z") if kind == 1 else None,
-            lidar_beam_sigma=self._all((self.range, self.angle), "of range and angle")
+            lidar_sigma_xyz=self._all(self.axes, "window.lidar_axes_incomplete")
+            if kind == 1
+            else None,
+            lidar_beam_sigma=self._all((self.range, self.angle), "window.lidar_beam_incomplete")
             if kind == 2
             else None,
             variance_components=self.components.isChecked(),
@@ -193,10 +196,10 @@ class ModelSettings(QWidget):
             words.append("one facing accepted")
         return ", ".join(map(say, words))
 
-    def _all(self, fields, where: str):
+    def _all(self, fields, code: str):
         values = [field.value() for field in fields]
         if any(value is None for value in values):
-            raise InputError(f"The LiDAR sigma {where} is not complete; fill in every field.")
+            raise InputError(error(code))
         return tuple(values)
 
     def _time(self, name: str, what: str):

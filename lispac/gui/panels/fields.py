@@ -10,6 +10,7 @@ from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
+from lispac.messages import error
 
 BASES: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
 
@@ -70,8 +71,11 @@ class OptionalNumber(QLineEdit):
             number = math.nan
         if not math.isfinite(number):
             raise InputError(
-                f"{self._what}: “{self.text().strip()}” is not a number; give {self._unit}."
-            )
+                error(
+                    "window.not_a_number_in", field=say(self._what), text=self.text().strip(),
+                    unit=self._unit,
+                )
+            )  # fmt: skip
         return number / self._scale
 
     def show_value(self, value: float | None) -> None:

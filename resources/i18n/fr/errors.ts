@@ -4285,46 +4285,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>ce n'est pas du texte UTF-8</translation>
     </message>
     <message>
-        <source>a count is not an integer</source>
-        <translation>un nombre d&apos;éléments n&apos;est pas un entier</translation>
-    </message>
-    <message>
-        <source>a value is not a number</source>
-        <translation>une valeur n&apos;est pas un nombre</translation>
-    </message>
-    <message>
-        <source>a value is not true or false</source>
-        <translation>une valeur n&apos;est ni true ni false</translation>
-    </message>
-    <message>
-        <source>a value is not text</source>
-        <translation>une valeur n&apos;est pas du texte</translation>
-    </message>
-    <message>
-        <source>a value is not a list</source>
-        <translation>une valeur n&apos;est pas une liste</translation>
-    </message>
-    <message>
-        <source>a list has another length</source>
-        <translation>une liste a une autre longueur</translation>
-    </message>
-    <message>
-        <source>a list has values that are not numbers</source>
-        <translation>une liste contient des valeurs qui ne sont pas des nombres</translation>
-    </message>
-    <message>
-        <source>a list has values that are not integers</source>
-        <translation>une liste contient des valeurs qui ne sont pas des entiers</translation>
-    </message>
-    <message>
-        <source>{name:kept} has another shape than it must have</source>
-        <translation>{name} n&apos;a pas la forme attendue</translation>
-    </message>
-    <message>
-        <source>the parts of its result contradict each other</source>
-        <translation>les parties de son résultat se contredisent</translation>
-    </message>
-    <message>
         <source>its lists or tables are nested too deeply</source>
         <translation>ses listes ou tables sont imbriquées trop profondément</translation>
     </message>

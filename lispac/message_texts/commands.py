@@ -1,0 +1,91 @@
+"""Texts of messages of the command line, of scripts, of the window and of the report."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Plural, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- command line --------------------------------------------------------------------------
+    "cli.projects_failed": Plural(
+        "{count:n} of {total:n} projects failed: {names:names}. The table gives the reason.",
+        "{count:n} of {total:n} projects failed: {names:names}. The table gives the reasons.",
+    ),
+    "cli.no_folder": N_("{folder}: the folder does not exist. Check the path."),
+    "cli.files_not_found": Plural(
+        "{folder}: {count:n} missing file is not in this folder: {names:names}. Give its folder as "
+        "well.",
+        "{folder}: {count:n} missing files are not in this folder: {names:names}. Give their "
+        "folders as well.",
+    ),
+    "cli.no_dates": N_(
+        "{project}: the survey dates are not known, because the times of the lines are seconds of "
+        "a day or of a week. Type the dates."
+    ),
+    "cli.has_targets": Plural(
+        "{project}: the project already has {count:n} target, so the proposed targets cannot be "
+        "added. Omit --accept to see them, or make a new project.",
+        "{project}: the project already has {count:n} targets, so the proposed targets cannot be "
+        "added. Omit --accept to see them, or make a new project.",
+    ),
+    "cli.no_results": N_(
+        "{project}: no method has estimated the boresight angles. Run lispac estimate, or use "
+        "--compute to run the alternative methods."
+    ),
+    # -- scripts -------------------------------------------------------------------------------
+    "script.place_or_point": N_(
+        "{name}: a target needs either a position or a point of a line. Give one of the two."
+    ),
+    "script.unknown_export": N_("“{what}” cannot be exported. Choose {known:choices}."),
+    "script.unknown_export_format": N_(
+        "{what} cannot be exported as {form}. Choose {forms:choices}."
+    ),
+    "script.no_sighting": N_(
+        "{target} has no sighting in line {line}, so there is nothing to exclude or restore. Check "
+        "the names."
+    ),
+    # -- report --------------------------------------------------------------------------------
+    "report.picture_format": N_(
+        "{file}: the report cannot include this picture. Use a PNG or SVG file."
+    ),
+    "report.picture_unreadable": N_(
+        "{file}: the picture cannot be read ({reason}). Check the file and its permissions."
+    ),
+    "report.picture_invalid": N_(
+        "{file}: the picture is damaged or not supported ({reason}). Save it again as PNG or SVG."
+    ),
+    "report.not_typeset": N_("The PDF report could not be made ({reason})."),
+    # -- window --------------------------------------------------------------------------------
+    "window.not_saved": N_("{reason} Use File > Save as… to save to another folder."),
+    "window.picture_not_written": N_(
+        "{file}: the picture cannot be written. Choose another folder."
+    ),
+    "window.disk_full": N_("{file}: the picture cannot be written. Free some disk space."),
+    "window.no_numbers": N_("{field}: the field is empty. Give at least one number in {unit}."),
+    "window.not_a_number": N_("{field}: “{text}” is not a number. Correct it."),
+    "window.not_a_number_in": N_("{field}: “{text}” is not a number. Give a number in {unit}."),
+    "window.out_of_range": N_(
+        "{field}: {text} {unit} is out of range. Give {low} to {high} {unit}."
+    ),
+    "window.name_length": N_(
+        "{field}: a name must have 1 to {longest:n} characters. Change the name."
+    ),
+    "window.lidar_axes_incomplete": N_(
+        "The standard deviations of the LiDAR along X, Y and Z are incomplete. Fill in every field."
+    ),
+    "window.lidar_beam_incomplete": N_(
+        "The standard deviations of the LiDAR in range and angle are incomplete. Fill in both "
+        "fields."
+    ),
+    "window.not_a_decimal_year": N_("“{text}” is not a decimal year. Give the date as in 2024.5."),
+    "window.no_coordinate_system": N_(
+        "No coordinate system is chosen. Choose one, or type its EPSG code."
+    ),
+    "window.name_taken": N_("The name {name} is already used. Give the target another name."),
+    "window.plan_incomplete": N_(
+        "The plan needs at least one target and one line. Add them first."
+    ),
+    "window.no_project_to_compare": N_(
+        "No project is open, so there is no survey to compare with the plan. Open the project of "
+        "that survey in the main window."
+    ),
+}

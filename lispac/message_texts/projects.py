@@ -1,0 +1,171 @@
+"""Texts of messages about projects: their files, settings, targets and descriptions."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- files of a project --------------------------------------------------------------------
+    "project.not_found": N_(
+        "{folder}: this folder contains no project ({missing} is missing). Choose the folder of a "
+        "project."
+    ),
+    "project.exists": N_("{folder}: the folder already contains a project. Choose another folder."),
+    "project.changed_on_disk": N_(
+        "{folder}: another program has changed this project since it was opened. Nothing was "
+        "saved. Open it again and repeat your changes, or save to another folder."
+    ),
+    "project.locked": N_(
+        "{folder}: another program is changing this project. Nothing was saved. Wait until it has "
+        "finished, then try again."
+    ),
+    "project.unreadable": N_(
+        "{file}: the project file cannot be read ({reason}). Check the disk and the permissions."
+    ),
+    "project.newer_version": N_(
+        "{file}: the project was saved by a newer version of the program (schema {version}). "
+        "Update the program."
+    ),
+    "project.invalid_value": N_("{file}: a value of the project file cannot be used. {reason}"),
+    "project.damaged": N_(
+        "{file}: the project file is damaged. {reason} Restore the file from a copy."
+    ),
+    "project.points_missing": N_(
+        "{file}: the file with the points of target {target} is missing. Restore it from a copy of "
+        "the project, or make the project again."
+    ),
+    "project.points_damaged": N_(
+        "{file}: the points of target {target} are damaged. {reason} Restore the file from a copy "
+        "of the project, or make the project again."
+    ),
+    "project.not_estimated": N_(
+        "{project}: the boresight angles have not been estimated. Run the estimate first."
+    ),
+    "project.no_target": N_(
+        "{project}: the project has no target or validation plane named {name}. Check the name."
+    ),
+    # -- targets -------------------------------------------------------------------------------
+    "target.invalid_name": N_(
+        "The name of a target must have 1 to {longest:n} printable characters; {name} is not "
+        "allowed. Choose another name."
+    ),
+    "target.name_with_separator": N_(
+        "{name}: a slash, backslash or colon is not allowed in the name of a target. Choose "
+        "another name."
+    ),
+    "target.plane_with_radius": N_(
+        "{target}: a radius is given, but the target is a plane. Remove the radius, or choose the "
+        "shape sphere."
+    ),
+    "target.invalid_radius": N_(
+        "{target}: a sphere radius of {radius:m} m is not possible. Give a radius larger than 0 m, "
+        "or none if it is unknown."
+    ),
+    "target.validation_sphere": N_(
+        "{target}: a sphere cannot be used for validation, because lines are compared on planes "
+        "only. Use the sphere as a target."
+    ),
+    # -- settings ------------------------------------------------------------------------------
+    "settings.not_finite": N_("{setting}: the value is not a finite number. Correct it."),
+    "settings.length_out_of_range": N_(
+        "{setting}: {value:m} m is outside the possible range, {least:m} to {most:m} m. Correct "
+        "the value."
+    ),
+    "settings.angle_out_of_range": N_(
+        "{setting}: {value:deg} deg is outside the possible range, {least:deg} to {most:deg} deg. "
+        "Correct the value."
+    ),
+    "settings.time_out_of_range": N_(
+        "{setting}: {value:s} s is outside the possible range, {least:s} to {most:s} s. Correct "
+        "the value."
+    ),
+    "settings.negative": N_(
+        "A standard deviation or the point spacing is negative. Give values of zero or more."
+    ),
+    "settings.unknown_pos_errors": N_(
+        "{name} is not a model of POS errors. Choose {known:choices}."
+    ),
+    "settings.zero_lidar_sigma": N_(
+        "A LiDAR standard deviation is zero or negative. Give values larger than zero."
+    ),
+    "settings.two_lidar_sigmas": N_(
+        "The LiDAR standard deviations are given both along x, y, z and for range and angle. Give "
+        "one of the two."
+    ),
+    "settings.zero_correlation_time": N_(
+        "A correlation time of the POS errors is zero or negative. Give times longer than 0 s."
+    ),
+    "settings.negative_surface": N_("The surface roughness is negative. Give zero or more."),
+    "settings.zero_longest_gap": N_(
+        "The longest trajectory gap to interpolate is zero or negative. Give a time longer than 0 "
+        "s."
+    ),
+    "settings.unknown_loss": N_("{name} is not a robust loss function. Choose {known:choices}."),
+    "settings.latency_too_large": N_(
+        "A latency of {value:s} s is larger than the limit of 10 s. Check the value and its unit."
+    ),
+    "settings.range_offset_too_large": N_(
+        "A range offset of {value:m} m is larger than the limit of 10 m. Check the value and its "
+        "unit."
+    ),
+    "settings.unknown_parameter": N_(
+        "{name} is not a parameter that can be estimated. Choose {known:choices}."
+    ),
+    "settings.zero_parameter_sigma": N_(
+        "The standard deviation of {name} is zero or negative. Give a value larger than zero."
+    ),
+    "settings.parameter_twice": N_(
+        "A parameter to be estimated is named twice. Name each parameter once."
+    ),
+    "settings.boresight_too_large": N_(
+        "A prior boresight angle of {value:deg} deg is larger than 360 deg. Give the angles in "
+        "degrees."
+    ),
+    "settings.lever_arm_too_long": N_(
+        "A lever arm of {length:m} m is longer than the limit of 100 m. Give the lever arm in "
+        "metres."
+    ),
+    "settings.latitude_out_of_range": N_(
+        "The latitude of the origin is {latitude:deg} deg, beyond 90 deg. Give latitude and "
+        "longitude in degrees, then the height in metres."
+    ),
+    # -- names of settings, before a colon -----------------------------------------------------
+    "setting.lever_arm": N_("Lever arm"),
+    "setting.boresight": N_("Prior boresight angles"),
+    "setting.origin": N_("Origin of the local frame"),
+    "setting.position_sigma": N_("Standard deviation of the position"),
+    "setting.attitude_sigma": N_("Standard deviation of the attitude"),
+    "setting.lidar_sigma": N_("Standard deviation of the LiDAR"),
+    "setting.subsample": N_("Point spacing"),
+    "setting.lidar_sigma_xyz": N_("Standard deviation of the LiDAR along x, y, z"),
+    "setting.lidar_beam_sigma": N_("Standard deviation of the LiDAR in range and angle"),
+    "setting.range_offset": N_("Range offset"),
+    "setting.scan_angle_offset": N_("Scan-angle offset"),
+    "setting.latency": N_("Latency"),
+    "setting.correlation_time": N_("Correlation time of the POS errors"),
+    "setting.surface": N_("Surface roughness"),
+    "setting.longest_gap": N_("Longest trajectory gap to interpolate"),
+    # -- description of the calibration --------------------------------------------------------
+    "identity.several_lines": N_(
+        "{field}: the text has several lines, but only one is allowed. Move the rest to the "
+        "remarks."
+    ),
+    "identity.not_printable": N_(
+        "{field}: the text contains a character that cannot be printed. Type the text again."
+    ),
+    "identity.too_long": N_(
+        "{field}: the text has {held:n} characters, but at most {longest:n} are allowed. Shorten "
+        "it."
+    ),
+    "identity_field.surveyor": N_("Surveyor"),
+    "identity_field.company": N_("Company"),
+    "identity_field.vessel": N_("Vessel"),
+    "identity_field.site": N_("Survey site"),
+    "identity_field.scanner": N_("Scanner"),
+    "identity_field.scanner_serial": N_("Scanner serial number"),
+    "identity_field.pos": N_("INS/GNSS model"),
+    "identity_field.pos_serial": N_("INS/GNSS serial number"),
+    "identity_field.dates": N_("Survey dates"),
+    "identity_field.lever_arm_origin": N_("Origin of the lever arm"),
+    "identity_field.remarks": N_("Remarks"),
+}

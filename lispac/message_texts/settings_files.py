@@ -1,0 +1,170 @@
+"""Texts of messages about TOML and JSON files: sensors, vessels, scenes, plans, projects."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Plural, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- content of any JSON or TOML file, as part of another message --------------------------
+    "content.not_utf8": N_("The content is not text in UTF-8."),
+    "content.not_json": N_("The JSON text is invalid from line {line:n}."),
+    "content.not_toml": N_("The TOML text is invalid ({reason})."),
+    "content.nested_too_deeply": N_("Lists or tables are nested too deeply."),
+    "content.number_too_large": N_("A number has more than 64 bits."),
+    "content.null_character": N_("A text contains a null character."),
+    "content.surrogate": N_("A text contains half of a surrogate pair."),
+    "content.missing_field": N_("The field {field} is missing."),
+    "content.wrong_type": N_("A value has the wrong type."),
+    "content.not_integer": N_("A count is not an integer."),
+    "content.not_number": N_("A value is not a number."),
+    "content.quantity_too_large": N_("A number is larger than any quantity of a survey."),
+    "content.not_boolean": N_("A value is neither true nor false."),
+    "content.value_not_text": N_("A value is not text."),
+    "content.not_list": N_("A value is not a list."),
+    "content.wrong_length": N_("A list has the wrong length."),
+    "content.not_numbers": N_("A list has values that are not numbers."),
+    "content.not_integers": N_("A list has values that are not integers."),
+    "content.wrong_shape": N_("The array {field} has the wrong shape."),
+    "content.inconsistent_result": N_("The parts of the result contradict each other."),
+    "content.wrong_form": N_("The values of {part} have the wrong types or are incomplete."),
+    "content.unknown_fields": N_("{part} has fields that are not known: {names:names}."),
+    "content.invalid_part": N_("The values of {part} cannot be used. {reason}"),
+    "content.unknown_role": N_("Target {target} has the unknown role {role}."),
+    "content.unknown_shape": N_("Target {target} has the unknown shape {shape}."),
+    "content.invalid_search": N_(
+        "The seed, threshold or search radius of target {target} is invalid."
+    ),
+    "content.unknown_line": N_(
+        "Target {target} has a sighting in line {line}, which is not in the list of lines."
+    ),
+    "content.invalid_angles": N_(
+        "The boresight angles or the covariance of the method “{method}” are invalid."
+    ),
+    "content.invalid_point_count": N_(
+        "The number of points of a sighting is not a whole number of zero or more."
+    ),
+    "content.too_many_bytes": N_("An array has {bytes:n} bytes, too many for {count:n} points."),
+    "content.not_indices": N_("An array does not contain point indices."),
+    "content.too_few_points": N_("An array has {held:n} points instead of {count:n}."),
+    "content.unreadable": N_("The file cannot be read ({reason})."),
+    # -- keys of a TOML file -------------------------------------------------------------------
+    "toml.invalid": N_("{file}: the file cannot be used. {reason} Correct the file."),
+    "toml.not_text": N_(
+        "{file}: {key} is {value}, but a text is needed. Put the text in quotation marks."
+    ),
+    "toml.not_a_choice": N_(
+        "{file}: {key} is {value}, which is not allowed. Give {choices:choices}."
+    ),
+    "toml.not_true_or_false": N_(
+        "{file}: {key} is {value}, which is not allowed. Give true or false."
+    ),
+    "toml.not_numbers": N_(
+        "{file}: {key} is {value}, but a list of numbers is needed. Give numbers in square "
+        "brackets."
+    ),
+    "toml.wrong_number_count": Plural(
+        "{file}: {key} is {value}, but a list of {count:n} number is needed. Give it in square "
+        "brackets.",
+        "{file}: {key} is {value}, but a list of {count:n} numbers is needed. Give them in square "
+        "brackets.",
+    ),
+    "toml.not_a_table": N_(
+        "{file}: {key} is {value}, but a table is needed. Write [{table}] above its keys."
+    ),
+    "toml.not_a_list_of_tables": N_(
+        "{file}: {key} must be a list of tables. Write [[{table}]] above each of them."
+    ),
+    "toml.unknown_key_similar": N_(
+        "{file}: {key} is not a known key. Write {similar} if that is meant, or remove the key."
+    ),
+    "toml.unknown_key": N_(
+        "{file}: {key} is not a known key. Remove it, or use one of these: {known:names}."
+    ),
+    "toml.wrong_key": N_(
+        "{file}: {key} is not a known key, and {wanted} is missing. Rename the key to {wanted}."
+    ),
+    "toml.missing_key": N_("{file}: {key} is missing. Add it."),
+    "toml.not_a_number": N_("{file}: {key} is {value}, which is not a number. Correct it."),
+    "toml.not_finite": N_("{file}: {key} is {value}, which is not a finite number. Correct it."),
+    "toml.below_minimum": N_(
+        "{file}: {key} is {value}, which is too small. Give at least {least}."
+    ),
+    "toml.not_above": N_("{file}: {key} is {value}, which is too small. Give more than {bound}."),
+    "toml.above_maximum": N_("{file}: {key} is {value}, which is too large. Give at most {most}."),
+    # -- sensors, vessels and scanners ---------------------------------------------------------
+    "sensor.no_accuracies": N_(
+        "{file}: the file gives no standard deviations. Add at least one of the tables "
+        "{tables:names}."
+    ),
+    "sensor.zero_sigma": N_(
+        "{file}: {key} contains zero, but no measurement is exact. Give standard deviations larger "
+        "than 0."
+    ),
+    "vessel.no_pos_errors": N_(
+        "{file}: {key} is missing. Write [[pos]] above each error of the POS."
+    ),
+    "vessel.boresight_too_large": N_(
+        "A simulated boresight angle of {value:deg} deg is larger than {most:deg} deg. Give a "
+        "smaller angle."
+    ),
+    "vessel.scan_angle_offset_too_large": N_(
+        "A simulated scan-angle offset of {value:deg} deg is larger than {most:deg} deg. Give a "
+        "smaller angle."
+    ),
+    "vessel.lever_arm_error_too_large": N_(
+        "A simulated lever-arm error of {value:m} m is larger than {most:m} m. Give a smaller "
+        "error."
+    ),
+    "vessel.range_offset_too_large": N_(
+        "A simulated range offset of {value:m} m is larger than {most:m} m. Give a smaller offset."
+    ),
+    "vessel.latency_too_large": N_(
+        "A simulated latency of {value:s} s is larger than {most:s} s. Give a smaller latency."
+    ),
+    "scanner.window": N_(
+        "{file}: the second angle of {key} must be larger than the first, by 360 deg at most. "
+        "Correct the angles."
+    ),
+    "scanner.no_elevations": N_("{file}: {key} is empty. Give the elevation of each beam."),
+    # -- scenes --------------------------------------------------------------------------------
+    "scene.no_surfaces": N_("{file}: {key} is missing. Write [[surfaces]] above each surface."),
+    "scene.target_name": N_("{file}: {key} cannot be the name of a target. {reason}"),
+    "scene.name_twice": N_(
+        "{file}: {key} is {name}, which another surface has already. Give each target its own name."
+    ),
+    "scene.role_of_kind": N_(
+        "{file}: {key} is given for a surface of kind {kind}. Only boards, walls and spheres can "
+        "be targets. Remove the role."
+    ),
+    "scene.validation_sphere": N_(
+        "{file}: {key} of a sphere is validation, but lines are compared on planes only. Use the "
+        "role target."
+    ),
+    "scene.no_distance": N_(
+        "{file}: {key} is missing. Give the distance at which the lines pass the site."
+    ),
+    "scene.bearing_along_heading": N_(
+        "{file}: {key} is parallel to the heading of the line, but the site must be abeam. Change "
+        "one of the two."
+    ),
+    "scene.mixed_lines": N_(
+        "{file}: some {key} have a heading, others start_s. Use the same way for all of them."
+    ),
+    "scene.no_lines": N_("{file}: {key} is missing. Write [[lines]] above each line."),
+    "scene.line_too_short": N_(
+        "{file}: one of the {key} is shorter than 1 m. Increase run_in_m or run_out_m."
+    ),
+    # -- plans and sites -----------------------------------------------------------------------
+    "plan.no_targets": N_(
+        "{file}: {key} is empty, so the plan has no target. Add [[boards]] or [[balls]]."
+    ),
+    "plan.no_lines": N_("{file}: {key} is empty, so the plan has no line. Add [[lines]]."),
+    "plan.name_twice": N_(
+        "{file}: {key} contains the name {name} twice. Give each target its own name."
+    ),
+    "plan.sizes_differ": N_(
+        "{file}: {key} has {heights:n} values, but width_m has {widths:n}. Give one width and one "
+        "height for each size."
+    ),
+    "plan.not_whole": N_("{file}: {key} is {value}, but a whole number is needed. Correct it."),
+}
