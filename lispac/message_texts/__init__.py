@@ -9,13 +9,23 @@ from collections.abc import Mapping
 from typing import Any
 
 from lispac.language import N_, Template, text_of
-from lispac.message_texts import importing, program
+from lispac.message_texts import (
+    calibration,
+    importing,
+    importing_steps,
+    output,
+    planning_steps,
+    program,
+    workflow,
+)
 from lispac.messages import Action, Message, Value
 
 CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
 """Characters of Unicode's category Cc, with what replaces them."""
 
-TOPICS = (importing, program)
+TOPICS = (
+    calibration, importing, importing_steps, output, planning_steps, program, workflow,
+)  # fmt: skip
 
 TEXTS: Mapping[str, Template] = {
     code: text for topic in TOPICS for code, text in topic.TEXTS.items()

@@ -7,11 +7,12 @@ when the survey is read.
 """
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.store.layout import is_imported
 from lispac.workflow.importing import line_folder
@@ -46,8 +47,12 @@ def with_files_in(project: Project, folder: Path) -> Project:
     found |= _by_name_alone(rest, folder) if rest else {}
     if gone and not found:
         raise InputError(
-            f"{folder}: none of the missing files is in this folder or in one below it "
-            f"({_named(gone)}); choose the folder that they are in now."
+            error(
+                "project_files.none_found",
+                folder=str(folder),
+                count=len(gone),
+                files=[path.name for path in gone],
+            )
         )
     return _pointing(project, found)
 
@@ -93,19 +98,10 @@ def require_files(project: Project) -> None:
     if first is None:
         return
     if not more:
-        raise InputError(
-            f"{first}: there is no such file; bring it back, or say where it is now: lispac "
-            "locate, or open the project in the window."
-        )
+        raise InputError(error("project_files.one_missing", file=str(first)))
     raise InputError(
-        f"{first}: there is no such file, nor {_named(more)}; bring them back, or say where they "
-        "are now: lispac locate, or open the project in the window."
+        error("project_files.several_missing", file=str(first), others=[path.name for path in more])
     )
-
-
-def _named(gone: Sequence[Path]) -> str:
-    names = ", ".join(path.name for path in gone[:3])
-    return names if len(gone) <= 3 else f"{names}, and {len(gone) - 3} more"
 
 
 def _by_its_end(path: Path, folder: Path) -> Path | None:

@@ -8,6 +8,7 @@ from lispac.errors import InputError
 from lispac.io.formats import format_of, suggests_time
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format
+from lispac.messages import error
 from lispac.project import LineSource, Reading
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import base_of
@@ -133,11 +134,18 @@ def lines_in_trajectory_time(
             continue
         shift = found[0].shift
         if typed:
+            assert own.base is not None
+            assert other.base is not None
             if all(abs(typed - match.shift) > SAME for match in found):
                 raise InputError(
-                    f"{line.path}: a shift of {typed:+,.3f} s is given, but {shift:+,.3f} s bring "
-                    f"its times from {own.words} to the trajectory's {other.words}; give either "
-                    "the shift or the time base."
+                    error(
+                        "import.shift_contradicts_base",
+                        file=str(line.path),
+                        given=typed,
+                        needed=shift,
+                        base=own.base.name,
+                        trajectory_base=other.base.name,
+                    )
                 )
         elif shift:
             moved[-1] = replace(line, reading=replace(line.reading, time_shift=shift))

@@ -1,0 +1,117 @@
+"""Texts of messages about importing the lines of a project."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- import --------------------------------------------------------------------------------
+    "import.file_missing": N_(
+        "{file}: this line file does not exist, but {line} must be imported again. Restore the "
+        "file. The earlier import was refused: {reason}"
+    ),
+    "import.repeated": N_("{line} was imported again. The earlier import was refused: {reason}"),
+    "import.reading_changed": N_(
+        "{line}: how its file is read has changed since the import. Import the line again."
+    ),
+    "import.columns_changed": N_(
+        "{line}: the names of its columns have changed since the import. Import the line again."
+    ),
+    "import.trajectory_changed": N_(
+        "{line}: the trajectory, its origin or its longest gap has changed since the import. "
+        "Import the line again."
+    ),
+    "import.mounting_changed": N_(
+        "{line}: the prior mounting, with which its points are brought back to the scanner, has "
+        "changed since the import. Import the line again."
+    ),
+    "import.latency_changed": N_(
+        "{line}: the latency has changed since the import. Import the line again."
+    ),
+    "import.also_changed": N_("{first} Also: {reason}"),
+    "import.file_unreadable": N_(
+        "{file}: the file of {line} cannot be read ({reason}), so it is not known whether it "
+        "has changed since the import. Restore the file, or remove it."
+    ),
+    "import.file_changed": N_(
+        "{line}: {file} has changed since the import. Import the line again."
+    ),
+    "import.file_removed": N_(
+        "{file}: the file was removed while it was being imported. Restore it and import it again."
+    ),
+    "import.file_being_written": N_(
+        "{file}: the file changed while it was being imported. Import it again when no program "
+        "writes to it."
+    ),
+    "import.part_missing": N_(
+        "{file}: this part of the imported line {line} is missing. Import the line again."
+    ),
+    "import.part_changed": N_(
+        "{file}: this part of the imported line {line} has changed (its checksum does not "
+        "match). Import the line again."
+    ),
+    "import.no_points": N_("{file}: this line holds no points. Leave it out."),
+    "import.no_usable_point": N_(
+        "{file}: none of its {count:n} points can be used: {not_finite:n} have values that are "
+        "not numbers, {no_range:n} have no range, {too_far:n} are too far, {withheld:n} are "
+        "withheld, {not_selected:n} are not selected. Check the options of the line, or export "
+        "it again."
+    ),
+    "import.other_points": N_(
+        "{file}: these are not the points on which {target} was picked, or the trajectory now "
+        "covers other points. Restore the file, or create a new project."
+    ),
+    "import.points_missing": N_(
+        "{folder}: {target} has points that {line} does not have, so the project is damaged. "
+        "Restore its folder from a copy."
+    ),
+    "import.accuracy_times": N_(
+        "{file}: its times ({first:s.1} to {last:s.1} s) do not overlap those of the trajectory "
+        "({start:s.1} to {end:s.1} s). Give the accuracy file that belongs to the trajectory."
+    ),
+    "import.points_without_time": N_(
+        "{file}: its points have no times, so it cannot be a line. Export it with the time of "
+        "each point. As it is, it can serve as a reference to check the lines against (Validate "
+        "> Check against a reference…, lispac check)."
+    ),
+    "import.unknown_format": N_(
+        "{file}: the format of this file is not recognised. Export it in a format that the "
+        "manual names, or choose its format."
+    ),
+    "import.not_trajectory_format": N_(
+        "{file}: {format} is not a format of a trajectory file. Choose another format."
+    ),
+    "import.unknown_trajectory_format": N_(
+        "{file}: not recognised as a trajectory file. `lispac look` shows what it may be; "
+        "otherwise give its format."
+    ),
+    "import.not_accuracy_format": N_(
+        "{file}: {format} is not a format of a trajectory accuracy file. Choose another format."
+    ),
+    "import.unknown_accuracy_format": N_(
+        "{file}: not recognised as a trajectory accuracy file. `lispac look` shows what it may "
+        "be; otherwise give its format."
+    ),
+    "import.not_line_format": N_(
+        "{file}: {format} is not a format of a line file. Choose another format."
+    ),
+    "import.unknown_line_format": N_(
+        "{file}: not recognised as a line file. `lispac look` shows what it may be; otherwise "
+        "give its format."
+    ),
+    "import.origin_too_far": N_(
+        "{project}: the origin is {distance:km} km from the trajectory. Give its latitude and "
+        "longitude in degrees, or leave it out."
+    ),
+    "import.no_attribute": N_(
+        "{file}: its points have no attribute {attribute} to split by. They have {known:names}."
+    ),
+    "import.no_attributes": N_(
+        "{file}: its points have no attribute {attribute} to split by, nor any other."
+    ),
+    "import.shift_contradicts_base": N_(
+        "{file}: a time shift of {given:s.3+} s is given, but {needed:s.3+} s bring its times "
+        "from {base} to {trajectory_base}, the time base of the trajectory. Give either the "
+        "shift or the time base."
+    ),
+}
