@@ -145,18 +145,16 @@ def _common_system(chosen: Sequence[Chunks]) -> CoordinateSystem | None:
         (c.system.written.to_wkt(), c.system.pipeline): c for c in chosen if c.system is not None
     }
     if len(own) > 1:
-        raise InputError(
-            "The lines are in different coordinate systems "
-            f"({'; '.join(_described(found) for found in own.values())}); say which one to write."
-        )
+        systems = [_described(found) for found in own.values()]
+        raise InputError(error("export.different_systems", systems=systems))
     return next((c.system for c in own.values()), None)
 
 
 def _described(chunks: Chunks) -> str:
     """A line's coordinate system with all that tells it from another one of the same name."""
     assert chunks.system is not None
-    said = [chunks.system.name, f"heights: {chunks.system.height}"]
+    details = [str(chunks.system.height)]
     if datum := str(chunks.choice[DATUM.name]).strip():
         epoch = str(chunks.choice[EPOCH.name]).strip()
-        said.append(f"trajectory in {datum}" + (f" at {epoch}" if epoch else ""))
-    return f"{chunks.line.name}: {', '.join(said)}"
+        details.append(f"{datum}@{epoch}" if epoch else datum)
+    return f"{chunks.line.name}: {chunks.system.name} ({'; '.join(details)})"
