@@ -131,15 +131,18 @@ def test_what_cannot_be_exported_is_refused(
     project, survey = calibrated
     with pytest.raises(ProjectError, match="no target or validation plane named X"):
         export_targets(project, survey, tmp_path / "out", names=["X"])
-    with pytest.raises(ProjectError, match="no target to export"):
+    with pytest.raises(ProjectError) as raised:
         export_targets(replace(project, targets=()), survey, tmp_path / "out", "prior")
+    assert raised.value.code == "export.no_target"
     with pytest.raises(ProjectError, match="no estimated boresight"):
         export_planes(replace(project, result=None), survey, tmp_path / "out")
     ball = replace(project.target("T1"), shape="sphere")
-    with pytest.raises(ProjectError, match="a sphere does not go into a plane file"):
+    with pytest.raises(ProjectError) as raised:
         export_planes(project.with_target(ball), survey, tmp_path / "o", "prior", names=["T1"])
-    with pytest.raises(InputError, match="the survey's own trajectory"):
+    assert raised.value.code == "export.sphere"
+    with pytest.raises(InputError) as raised:
         export_trajectory(project, project.trajectory)
+    assert raised.value.code == "export.own_trajectory"
     assert not list(tmp_path.iterdir())
 
 

@@ -13,6 +13,7 @@ from lispac.project import Project
 from lispac.validation.line_differences import line_difference
 from lispac.workflow.line_quality import Figures, line_quality
 from lispac.workflow.survey import Survey
+from tests.command_errors import command_error
 from tests.few_passes import picked
 from tests.test_cli import answer, refused, run
 
@@ -85,8 +86,9 @@ def test_lines_that_share_nothing_are_told() -> None:
     with pytest.raises(NotComparable, match=r"no place in common within 0\.5 m"):
         line_difference(("A", one), ("B", one + 100.0), VESSEL, noise=0.003, reach=0.5)
     rubble = rng.uniform(0, 5, (50_000, 3))
-    with pytest.raises(NotComparable, match="no flat place"):
+    with pytest.raises(NotComparable) as raised:
         line_difference(("A", rubble), ("B", rubble), VESSEL, noise=0.003, reach=0.5)
+    assert raised.value.code == "check.no_common_place"
 
 
 def test_the_command_prints_draws_and_lists(
@@ -114,13 +116,15 @@ def test_the_command_prints_draws_and_lists(
     assert "Lines placed with the prior boresight" in out
     assert "RMSD" in out
     assert "estimate first" in refused(capsys, "quality", project.folder, "--with", "estimated")
-    assert "at most 10 m" in refused(capsys, "quality", project.folder, "--reach", "11")
+    refusal = command_error("quality", project.folder, "--reach", "11")
+    assert refusal.code == "check.search_distance"
 
 
 def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    with pytest.raises(InputError, match=r"at most 10 m"):
+    with pytest.raises(InputError) as raised:
         line_quality(project, survey, reach=0.0)
+    assert raised.value.code == "check.search_distance"
     bare = Project(project.folder, project.trajectory, project.lines, project.settings)
     with pytest.raises(ProjectError, match="estimate first"):
         line_quality(bare, survey, which="estimated")

@@ -217,10 +217,7 @@ def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> N
     project, survey = seen.opened((1, -1, 1))
     with pytest.raises(AdjustmentError) as caught:
         propose(project, survey)
-    assert str(caught.value) == (
-        "All flat surfaces found face one way, and that leaves the boresight open; put up a board "
-        "of another inclination, or set seeds by hand."
-    )
+    assert caught.value.code == "propose.one_orientation"
     accepted = replace(project.settings, accept_one_facing=True)
     project = project.with_settings(accepted)
     proposal = propose(project, survey)

@@ -125,29 +125,32 @@ def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    ("figures", "words"),
+    ("figures", "code"),
     [
-        (replace(MINE, title=" "), "needs a title"),
-        (replace(MINE, source=""), "where the figures come from"),
-        (replace(MINE, source="a\nb"), "one line"),
-        (PosFigures("INS", ()), "one GNSS solution at least"),
+        (replace(MINE, title=" "), "sensor.no_title"),
+        (replace(MINE, source=""), "sensor.no_source"),
+        (replace(MINE, source="a\nb"), "sensor.long_text"),
+        (PosFigures("INS", ()), "sensor.no_sigmas"),
     ],
 )
 def test_what_cannot_be_kept_is_refused(
-    tmp_path: Path, figures: ScannerFigures | PosFigures, words: str
+    tmp_path: Path, figures: ScannerFigures | PosFigures, code: str
 ) -> None:
-    with pytest.raises(InputError, match=words):
+    with pytest.raises(InputError) as raised:
         sensors.keep(tmp_path, figures)
+    assert raised.value.code == code
     assert list(tmp_path.iterdir()) == []
 
 
 def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
     sensors.keep(tmp_path, MINE)
-    with pytest.raises(InputError, match="already; give another title"):
+    with pytest.raises(InputError) as raised:
         sensors.keep(tmp_path, MINE)
+    assert raised.value.code == "sensor.title_taken"
     supplied = next(s for s in sensors.library(tmp_path).scanners if not s.own)
-    with pytest.raises(InputError, match="comes with the program"):
+    with pytest.raises(InputError) as raised:
         sensors.remove(tmp_path, supplied)
+    assert raised.value.code == "sensor.supplied"
 
 
 def test_the_folder_is_that_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,6 +14,7 @@ from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
 from lispac.workflow.survey import load_survey
+from tests.command_errors import command_error
 from tests.intake_files import LEVER, START, named, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
@@ -116,10 +117,10 @@ def test_a_typed_shift_is_not_doubled_and_must_agree(track, tmp_path, capsys) ->
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     command = ["new", str(tmp_path / "q"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "1", "--line-option", "time_base=utc-week"]
-    assert main([*command, "--time-shift", "5"]) == 1
-    told = capsys.readouterr().err
-    assert "a shift of +5.000 s is given, but +18.000 s bring" in told
-    assert "give either the shift or the time base" in told
+    refusal = command_error(*command, "--time-shift", "5")
+    assert refusal.code == "import.shift_contradicts_base"
+    assert refusal.message is not None
+    assert (refusal.message.params["given"], refusal.message.params["needed"]) == (5.0, 18.0)
     assert not (tmp_path / "q").exists()
     assert main(command) == 0
     assert "+18.000 s are added" in capsys.readouterr().err

@@ -141,8 +141,9 @@ def test_imported_lines_go_along(demo: Demo, tmp_path: Path) -> None:
     assert len(again.clouds[moved.lines[0].name].sample) == len(
         survey.clouds[one.lines[0].name].sample
     )
-    with pytest.raises(ProjectError, match="a project here already"):
+    with pytest.raises(ProjectError) as raised:
         save_project_as(one, survey, tmp_path / "new")
+    assert raised.value.code == "project_folder.exists"
 
     def stop(fraction: float, message: str = "") -> None:
         if message.startswith("Copying"):
