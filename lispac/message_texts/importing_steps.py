@@ -114,4 +114,14 @@ TEXTS: Mapping[str, Template] = {
         "from {base} to {trajectory_base}, the time base of the trajectory. Give either the "
         "shift or the time base."
     ),
+    # -- time_base -----------------------------------------------------------------------------
+    "time_base.gps_week": N_("GPS seconds of the week"),
+    "time_base.gps_day": N_("GPS seconds of the day"),
+    "time_base.utc_day": N_("UTC seconds of the day"),
+    "time_base.utc_week": N_("UTC seconds of the week"),
+    "time_base.gps_adjusted": N_("adjusted standard GPS time (minus 1e9)"),
+    "time_base.gps_full": N_("GPS seconds since 1980-01-06"),
+    "time_base.unix": N_("UTC seconds since 1970-01-01"),
+    "time_base.tai": N_("TAI seconds since 1970-01-01 (PTP)"),
+    "time_base.utc_hour": N_("UTC seconds of the hour"),
 }
