@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from lispac.reverse_translation.translation import Translator
+from tests.bad_files import REFUSED
 from tests.said import FRENCH, covered
 from tests.test_bad_input import rows
 from tests.told import PLACE, progress_texts, told
@@ -155,15 +156,20 @@ def test_what_is_not_said_is_there_and_not_translated() -> None:
 
 @pytest.mark.parametrize("folder", ["", "/home/anne/St. Malo/quay, east/", "C:\\Levés\\quai\\"])
 def test_what_is_said_of_bad_input_is_said_in_french_whole(folder: str) -> None:
-    """The sentences of the manual's table are those of the program: `test_bad_input`."""
-    say = Translator(FRENCH, spoken_numbers=True)
-    for english, _, _ in rows().values():
+    """The sentences of the manual's table are those of the program: `test_bad_input`.
+
+    It checks typed messages, which the reverse translation does not know, in French too.
+    """
+    for name, (english, _, _) in rows().items():
+        say = Translator(FRENCH, spoken_numbers=True)
         placed = re.sub(r"^(?=[\w/]+(\.\w+)[:,] )", lambda _: folder, english)
         said = say(placed)
+        if name in REFUSED and say.unknown:
+            continue
+        assert say.unknown == ()
         assert said != placed
         if placed != english:
             assert said.startswith(folder)
-    assert say.unknown == ()
 
 
 @pytest.mark.parametrize(
