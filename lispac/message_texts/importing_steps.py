@@ -124,4 +124,28 @@ TEXTS: Mapping[str, Template] = {
     "time_base.unix": N_("UTC seconds since 1970-01-01"),
     "time_base.tai": N_("TAI seconds since 1970-01-01 (PTP)"),
     "time_base.utc_hour": N_("UTC seconds of the hour"),
+    "time_base.unknown": N_("not known"),
+    "time_base.given": N_("{base} (as given)"),
+    "time_base.suggested": N_("{base} (as its values suggest)"),
+    "time_base.of_file": N_("{base} (as read from the file)"),
+    "time_base.not_possible": N_(
+        "Its times from {first:s.3} to {last:s.3} s cannot be {base}, as given. Their values "
+        "fit {keys:choices}. Give one of these time bases, or none."
+    ),
+    "time_base.no_base_possible": N_(
+        "Its times from {first:s.3} to {last:s.3} s cannot be {base}, as given, and they fit no "
+        "known time base. Check which column or record is the time."
+    ),
+    "time_base.other_trajectory_base": N_(
+        "In {base} none of its points lies within the trajectory, whose times are "
+        "{trajectory_base}. They would with {options:choices}. Check the time base of the "
+        "trajectory, and give it."
+    ),
+    "time_base.no_overlap": N_(
+        "In {base} none of its points lies within the trajectory, whose times are "
+        "{trajectory_base}. Give the time base of the times, or the trajectory of the same "
+        "survey."
+    ),
+    # -- import --------------------------------------------------------------------------------
+    "import.time_base_refused": N_("{file}: {reason}"),
 }

@@ -8,7 +8,7 @@ from lispac.errors import InputError
 from lispac.io.formats import format_of, suggests_time
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format
-from lispac.messages import error, note
+from lispac.messages import error
 from lispac.project import LineSource, Reading
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import base_of
@@ -24,19 +24,6 @@ from lispac.workflow.reading import USUAL, format_of_line, read_trajectory
 
 SAME = 1e-3
 """Seconds that a typed shift may differ from the one that follows, to be the same."""
-
-BASES = {
-    "gps-week": "time_base.gps_week",
-    "gps-day": "time_base.gps_day",
-    "utc-day": "time_base.utc_day",
-    "utc-week": "time_base.utc_week",
-    "gps-adjusted": "time_base.gps_adjusted",
-    "gps-full": "time_base.gps_full",
-    "unix": "time_base.unix",
-    "tai": "time_base.tai",
-    "utc-hour": "time_base.utc_hour",
-}
-"""Code of the message that names a time base, by the key of the base."""
 
 
 def known_base(format: Format, path: Path, choice: Choice, option: str, *, stated: bool) -> Known:
@@ -131,7 +118,7 @@ def lines_in_trajectory_time(
         choice = {**choice, RESTART: line.reading.restart or NONE}
         times = line_times(line.path, format, choice).sample
         if wrong := contradiction(times, own):
-            raise InputError(f"{line.path}: {wrong}")
+            raise InputError(error("import.time_base_refused", file=str(line.path), reason=wrong))
         found = following(times, track, own, other)
         typed = line.reading.time_shift
         if found is None:
@@ -143,12 +130,13 @@ def lines_in_trajectory_time(
             continue
         if not found:
             if not typed:
-                raise InputError(f"{line.path}: {nowhere(own, other, times, track)}")
+                reason = nowhere(own, other, times, track)
+                raise InputError(
+                    error("import.time_base_refused", file=str(line.path), reason=reason)
+                )
             continue
         shift = found[0].shift
         if typed:
-            assert own.base is not None
-            assert other.base is not None
             if all(abs(typed - match.shift) > SAME for match in found):
                 raise InputError(
                     error(
@@ -156,8 +144,8 @@ def lines_in_trajectory_time(
                         file=str(line.path),
                         given=typed,
                         needed=shift,
-                        base=note(BASES[own.base.key]),
-                        trajectory_base=note(BASES[other.base.key]),
+                        base=own.message,
+                        trajectory_base=other.message,
                     )
                 )
         elif shift:
