@@ -148,4 +148,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- import --------------------------------------------------------------------------------
     "import.time_base_refused": N_("{file}: {reason}"),
+    "import.shift_not_needed": N_(
+        "{file}: shifted by {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) lie "
+        "outside the trajectory ({start:s.1} to {end:s.1} s). Without the shift they lie "
+        "inside. Check the shift."
+    ),
+    "import.shift_wrong": N_(
+        "{file}: shifted by {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) lie "
+        "outside the trajectory ({start:s.1} to {end:s.1} s). Give another shift, or leave the "
+        "line out."
+    ),
 }

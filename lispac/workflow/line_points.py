@@ -275,7 +275,7 @@ class LinePoints:
         times = np.concatenate(self._times)
         times = times[np.isfinite(times)]
         if self._without_pose and len(times):
-            return f"{path}: {outside(self.line.reading, times, self.trajectory.time)}"
+            return outside(self.line.reading, times, self.trajectory.time, path)
         return error(
             "import.no_usable_point", file=str(path), count=read, not_finite=audit.not_finite,
             no_range=audit.no_range, too_far=audit.too_far, withheld=audit.withheld,
