@@ -190,7 +190,7 @@ def test_a_line_that_is_not_compared_says_what_would_help(
     (reason,) = (reason for reason in small.unseen if reason.startswith("L3_045"))
     count, tried = map(int, re.findall(r"L3_045: (\d+) of (\d+) flat places", reason)[0])
     assert count <= tried < 30
-    assert "and 30 must; scan more of what it has seen and where it is denser" in reason
+    assert "but 30 are needed. Scan more of what the line has seen" in reason
 
 
 def test_a_sigma_in_millimetres_is_doubted_once(

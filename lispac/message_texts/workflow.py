@@ -193,4 +193,6 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: the manual cannot be written there ({reason}). Make room, or choose another "
         "cache folder in the settings."
     ),
+    # -- check ---------------------------------------------------------------------------------
+    "check.line_not_compared": N_("{line}: {reason}"),
 }

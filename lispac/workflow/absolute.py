@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.knn import build_tree
-from lispac.messages import Message, error
+from lispac.message_texts import message_text
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.survey.georeferencing import CALIBRATION
@@ -118,7 +119,8 @@ def check_absolute(
         try:
             lines.append(_compared(project, survey, cloud, where))
         except NotComparable as failure:
-            unseen.append(f"{cloud.line}: {failure}")
+            refusal = note("check.line_not_compared", line=cloud.line, reason=failure.reason)
+            unseen.append(message_text(refusal))
     if not lines:
         raise NotComparable(
             error(
