@@ -84,7 +84,7 @@ def test_a_line_without_points_is_not_imported(project: Project, folder: Path) -
     with pytest.raises(InputError) as caught:
         import_line(project, line, trajectory)
     assert str(path) in str(caught.value)
-    assert caught.value.code == "import.no_points"
+    assert "no points" in str(caught.value)
     assert not (project.folder / "lines").exists() or not any((project.folder / "lines").iterdir())
 
 

@@ -10,7 +10,10 @@ TEXTS: Mapping[str, Template] = {
         "{file}: this line file does not exist, but {line} must be imported again. Restore the "
         "file. The earlier import was refused: {reason}"
     ),
-    "import.repeated": N_("{line} was imported again. The earlier import was refused: {reason}"),
+    "import.repeated": N_(
+        "{line} was imported again. The earlier import was refused ({reason}). Nothing needs to "
+        "be done."
+    ),
     "import.reading_changed": N_(
         "{line}: how its file is read has changed since the import. Import the line again."
     ),

@@ -313,15 +313,14 @@ def _version() -> str:
     return __version__
 
 
-def _require_version(
-    code: str, found: str, wanted: str = __version__, *, address: str = ""
-) -> None:
-    """Refuse another version than the expected one, by the message ``code``.
+def _require_version(code: str, found: str, wanted: str = "", *, address: str = "") -> None:
+    """Refuse another version than ``wanted``, by default this one, by the message ``code``.
 
     Raises
     ------
     LispacError
     """
+    wanted = wanted or __version__
     if found != wanted:
         raise LispacError(error(code, version=found, expected=wanted, address=address))
 
