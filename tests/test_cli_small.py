@@ -301,7 +301,7 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
     manifest.write_text("{")
     out, err = told(capsys, *words)
     assert "points/s" in out
-    assert err.startswith("note: L1_000 was imported again: ")
+    assert err.startswith("note: L1_000 was imported again. ")
     assert "imported already" in told(capsys, *words)[0]
 
 
