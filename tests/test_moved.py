@@ -120,7 +120,7 @@ def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
     assert raised.value.code == "project_files.none_found"
     with pytest.raises(InputError) as raised:
         load_survey(project)
-    assert raised.value.code == "project_files.several_missing"
+    assert raised.value.code == "project_files.many_missing"
 
 
 def test_unsaved_work_is_found_its_files_too(disk: Path) -> None:
@@ -139,7 +139,7 @@ def test_at_the_command_line_and_in_a_script(
 ) -> None:
     home, usb = disk / "projects" / "quay", tmp_path / "usb"
     shutil.move(disk / "survey", usb / "quay")
-    assert command_error("warnings", home).code == "project_files.several_missing"
+    assert command_error("warnings", home).code == "project_files.many_missing"
     assert missing(lispac.open(home, files=usb).project) == ()
     assert main(["locate", str(home), str(usb / "nowhere")]) == 1
     assert "there is no such folder" in capsys.readouterr().err

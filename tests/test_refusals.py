@@ -103,7 +103,7 @@ def test_moved_files_are_named_and_the_project_still_opens(copy: Project) -> Non
     moved = projects.open_project(copy.folder)
     with pytest.raises(InputError) as raised:
         load_survey(moved)
-    assert raised.value.code == "project_files.several_missing"
+    assert raised.value.code == "project_files.many_missing"
     assert "trajectory.sbet" in str(raised.value)
     assert (copy.folder / "project.json").read_bytes() == before
 

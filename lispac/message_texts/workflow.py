@@ -195,4 +195,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- check ---------------------------------------------------------------------------------
     "check.line_not_compared": N_("{line}: {reason}"),
+    # -- project_files -------------------------------------------------------------------------
+    "project_files.many_missing": N_(
+        "{file}: this file does not exist, and {count:n} other files are missing too "
+        "({others:names} among them). Restore them, or give their new location: lispac locate, "
+        "or open the project in the window."
+    ),
+    "project_files.none_of_many_found": N_(
+        "{folder}: none of the {count:n} missing files ({files:names} among them) is in this "
+        "folder or in one below it. Choose the folder that they are in now."
+    ),
 }

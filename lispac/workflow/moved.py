@@ -7,7 +7,7 @@ when the survey is read.
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -17,6 +17,8 @@ from lispac.project import Project
 from lispac.survey.store.layout import is_imported
 from lispac.workflow.importing import line_folder
 
+MOST_NAMED = 3
+"""Missing files that a message names."""
 MOST_LOOKED_AT = 20_000
 """Files and folders; a whole disk would be looked through for minutes."""
 
@@ -46,14 +48,13 @@ def with_files_in(project: Project, folder: Path) -> Project:
     rest = {path for path in gone if path not in found}
     found |= _by_name_alone(rest, folder) if rest else {}
     if gone and not found:
+        few = len(gone) <= MOST_NAMED
         raise InputError(
             error(
-                "project_files.none_found",
-                folder=str(folder),
-                count=len(gone),
-                files=[path.name for path in gone],
+                "project_files.none_found" if few else "project_files.none_of_many_found",
+                folder=str(folder), count=len(gone), files=_names(gone),
             )
-        )
+        )  # fmt: skip
     return _pointing(project, found)
 
 
@@ -99,9 +100,17 @@ def require_files(project: Project) -> None:
         return
     if not more:
         raise InputError(error("project_files.one_missing", file=str(first)))
+    few = len(more) <= MOST_NAMED
     raise InputError(
-        error("project_files.several_missing", file=str(first), others=[path.name for path in more])
-    )
+        error(
+            "project_files.several_missing" if few else "project_files.many_missing",
+            file=str(first), count=len(more), others=_names(more),
+        )
+    )  # fmt: skip
+
+
+def _names(paths: Sequence[Path]) -> list[str]:
+    return [path.name for path in paths[:MOST_NAMED]]
 
 
 def _by_its_end(path: Path, folder: Path) -> Path | None:
