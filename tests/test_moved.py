@@ -117,7 +117,7 @@ def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     with pytest.raises(InputError) as raised:
         with_files_in(project, tmp_path / "empty")
-    assert raised.value.code == "project_files.none_found"
+    assert raised.value.code == "project_files.none_of_many_found"
     with pytest.raises(InputError) as raised:
         load_survey(project)
     assert raised.value.code == "project_files.many_missing"

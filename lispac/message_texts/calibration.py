@@ -95,10 +95,10 @@ TEXTS: Mapping[str, Template] = {
         "{reason}",
     ),
     "pick.some_not_found": Plural(
-        "{file}: no target was found at {count:n} of the {total:n} seeds: {seeds:names}. The "
-        "table gives the reason. The others are saved.",
-        "{file}: no target was found at {count:n} of the {total:n} seeds: {seeds:names}. The "
-        "table gives the reasons. The others are saved.",
+        "{file}: no target was found at {count:n} of the {total:n} seeds: {seeds:names} (row "
+        "{rows:names}). The table gives the reason. The others are saved.",
+        "{file}: no target was found at {count:n} of the {total:n} seeds: {seeds:names} (rows "
+        "{rows:names}). The table gives the reasons. The others are saved.",
     ),
     "pick.too_many_numbers": N_(
         "The list of point numbers has more than {limit:n} points. Correct it."

@@ -205,14 +205,14 @@ def require_all_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
     """
     failed = [outcome.seed for outcome in outcomes if outcome.target is None]
     if failed:
-        named = [seed.name for seed in failed]
         raise TargetNotFound(
             error(
                 "pick.some_not_found",
                 file=str(seeds.points.path),
                 count=len(failed),
                 total=len(outcomes),
-                seeds=named,
+                seeds=[seed.name for seed in failed],
+                rows=[str(seed.row) for seed in failed],
             )
         )
 
