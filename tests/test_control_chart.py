@@ -180,7 +180,7 @@ def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = histories([tmp_path])
-    assert remarks == ("Left out: b has no answer yet.",)
+    assert remarks == ("Not used: b has no result yet.",)
     told = {history.entries[0].project.name: history.remarks for history in found}
     sentence = (
         "These projects do not name vessel, scanner and INS/GNSS: whether they are of one system "

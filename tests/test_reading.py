@@ -149,16 +149,15 @@ def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
     [
         (["--line-option", "frame=moon"], "frame cannot be moon"),
         (["--line-format", "fax"], "There is no format fax"),
-        (["--trajectory-format", "las"], "is no format of a trajectory file"),
+        (["--trajectory-format", "las"], "import.not_trajectory_format"),
         (["--trajectory-option", "colour=red"], "has no option colour"),
     ],
 )
-def test_what_makes_no_sense_is_refused(calibrated, tmp_path, capsys, options, said) -> None:
+def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> None:
     project, _ = calibrated
     line = str(project.lines[0].path)
     command = ["new", str(tmp_path / "p"), line, "--trajectory", str(project.trajectory)]
-    assert main([*command, "--lever-arm", "0", "0", "1", *options]) == 1
-    assert said in capsys.readouterr().err
+    assert is_refusal(command_error(*command, "--lever-arm", "0", "0", "1", *options), said)
     assert not (tmp_path / "p").exists()
 
 

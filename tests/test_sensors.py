@@ -22,6 +22,7 @@ from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.reverse_translation.translation import Translator
 from lispac.workflow import sensors
 from lispac.workflow.projects import open_project
+from tests.command_errors import command_error
 from tests.test_cli import answer, new_words, run
 
 MINE = ScannerFigures('Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
@@ -205,25 +206,24 @@ def test_a_new_project_takes_sigmas_and_names_from_the_library(
 
 
 @pytest.mark.parametrize(
-    ("option", "word", "said"),
+    ("option", "word", "code"),
     [
-        ("--scanner", "nikon", "There is no scanner named nikon in the library; give one of "),
-        ("--pos", "apogee", "apogee: say with which GNSS solution its sigmas are to be taken: "
-         "apogee:rtk, apogee:ppk, apogee:degraded."),
-        ("--pos", "sextant", "There is no POS named sextant in the library; give one of "),
+        ("--scanner", "nikon", "sensor.no_scanner"),
+        ("--pos", "apogee", "sensor.no_solution"),
+        ("--pos", "sextant", "sensor.no_pos"),
     ],
-)  # fmt: skip
+)
 def test_what_the_library_lacks_is_said(
-    capsys: pytest.CaptureFixture[str], own: Path, tmp_path: Path, option: str, word: str, said: str
+    own: Path, tmp_path: Path, option: str, word: str, code: str
 ) -> None:
     words = [
         w
         for w in new_words(tmp_path / "quay", tmp_path, tmp_path / "L1.las")
         if w not in ("--lidar-sigma", 0.0017)
     ]
-    code, _, err = run(capsys, *words, option, word)
-    assert code == 1
-    assert said in err
+    refusal = command_error(*words, option, word)
+    assert refusal.code == code
+    assert word in str(refusal)
     assert not (tmp_path / "quay").exists()
 
 

@@ -110,8 +110,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "simulate.no_origin": N_("{file}: [origin] is missing. Give the position of the scene."),
     "simulate.too_long": N_(
-        "{file}: with {vessel} the survey takes {duration:h} h, and no more than {limit:h} h "
-        "are simulated. Correct run_in_m and run_out_m, or speed_m_s, transit_s and wait_s of "
+        "{file}: with {vessel} the survey takes {duration:h.0} h, and no more than {limit:h.0} "
+        "h are simulated. Correct run_in_m and run_out_m, or speed_m_s, transit_s and wait_s of "
         "the vessel."
     ),
     "simulate.lines_by_heading": N_(
