@@ -167,7 +167,7 @@ def test_spheres_alone_make_no_plane_file(tmp_path: Path) -> None:
     balls = tuple(replace(target, shape="sphere") for target in project.targets)
     with pytest.raises(ProjectError) as caught:
         export_planes(replace(project, targets=balls), survey, tmp_path / "out", "prior")
-    assert str(caught.value) == "site: there is no planar target to export; pick one first."
+    assert caught.value.code == "export.no_planar_target"
     assert not (tmp_path / "out").exists()
 
 

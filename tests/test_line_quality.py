@@ -143,7 +143,6 @@ def test_lines_that_are_nowhere_near_each_other_are_refused() -> None:
     alone = replace(survey, clouds={"L1": survey.clouds["L1"]})
     with pytest.raises(NotComparable) as caught:
         line_quality(project, alone, reach=0.25)
-    assert str(caught.value) == (
-        "site: no two lines share a flat place within 0.25 m of each other; widen the reach, or "
-        "add lines over the same scene."
-    )
+    assert caught.value.code == "check.no_common_place"
+    assert caught.value.message is not None
+    assert caught.value.message.params == {"project": "site", "distance": 0.25}
