@@ -7,10 +7,10 @@ numbers, lists and dates.
 Placeholders of a text are named and may have a format specification ``unit[.digits][+]``:
 
 - ``n``: a count
-- ``m``, ``mm``, ``s``, ``ms``, ``hz``: an SI value in that unit, ``deg`` one in radians,
-  ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three significant
-  digits where no number of decimals follows, and ``+`` for a sign in any case. The unit itself is
-  part of the text.
+- ``m``, ``mm``, ``km``, ``s``, ``ms``, ``h``, ``hz``: an SI value in that unit, ``deg`` one in
+  radians, ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three
+  significant digits where no number of decimals follows, and ``+`` for a sign in any case. The unit
+  itself is part of the text.
 - ``names``: names joined by commas and "and"; ``choices``: joined by "or"
 - no specification: a name, or another message, as it is
 """
@@ -33,8 +33,8 @@ LANGUAGES: Mapping[str, str] = {"en": "English", "fr": "Français"}
 
 _LOCALES: Mapping[str, str] = {"en": "en_GB", "fr": "fr_FR"}
 _SCALES: Mapping[str, float] = {
-    "m": 1.0, "mm": 1e3, "s": 1.0, "ms": 1e3, "hz": 1.0, "deg": degrees(1.0), "percent": 100.0,
-    "x": 1.0, "mb": 1e-6,
+    "m": 1.0, "mm": 1e3, "km": 1e-3, "s": 1.0, "ms": 1e3, "h": 1 / 3600, "hz": 1.0,
+    "deg": degrees(1.0), "percent": 100.0, "x": 1.0, "mb": 1e-6,
 }  # fmt: skip
 _SIGNIFICANT = 3
 _SMALLEST, _LARGEST = 1e-9, 1e15

@@ -27,6 +27,7 @@ from lispac.validation.absolute import AbsoluteCheck, LineCheck
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.survey import Survey
 from tests.absolute_sample import checked, true_offsets, with_truth
+from tests.command_errors import is_refusal
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
 from tests.static_scans import on_plane, tripod_scan, write_pts
@@ -171,14 +172,16 @@ def test_a_line_that_is_not_compared_says_what_would_help(
     assert project.absolute is not None
     assert project.absolute.unseen
     for said, check in (
-        ("the reference has no flat place within 1 m of this line; scan what", scan),
-        ("no surveyed point has a flat place of this line within 1 m before", project.absolute),
+        ("The reference has no flat place within 1.00 m of this line.", scan),
+        ("No surveyed point has a flat place of this line within 1.00 m before", project.absolute),
     ):
         compared = {line.line for line in check.lines}
         left_out = dict(reason.split(": ", 1) for reason in check.unseen)
         assert set(left_out) == set(known[1].clouds) - compared
         assert all(reason.startswith(said) for reason in left_out.values())
-        assert all(reason.endswith("or widen the reach") for reason in left_out.values())
+        assert all(
+            reason.endswith("or increase the search distance.") for reason in left_out.values()
+        )
     # A patch with enough places of near lines and too few of far ones.
     patch = tripod_scan(("V5",), density=2000.0)
     patch = patch[np.linalg.norm(patch - on_plane("V5", *np.zeros((2, 1))), axis=1) < 1.6]
@@ -187,7 +190,7 @@ def test_a_line_that_is_not_compared_says_what_would_help(
     (reason,) = (reason for reason in small.unseen if reason.startswith("L3_045"))
     count, tried = map(int, re.findall(r"L3_045: (\d+) of (\d+) flat places", reason)[0])
     assert count <= tried < 30
-    assert "and 30 must; scan more of what it has seen and where it is denser" in reason
+    assert "but 30 are needed. Scan more of what the line has seen" in reason
 
 
 def test_a_sigma_in_millimetres_is_doubted_once(
@@ -267,31 +270,33 @@ def test_a_scan_on_the_map_without_time(
     for one, other in zip(local.lines, mapped.lines, strict=True):
         assert other.after.signed.mean == pytest.approx(one.after.signed.mean, abs=2e-4)
     # What the file says can be overruled, and what is elsewhere is refused.
-    with pytest.raises(InputError, match="km from the trajectory"):
+    with pytest.raises(InputError) as raised:
         check_absolute(*known, path, crs="EPSG:32619")
+    assert raised.value.code == "coordinates.too_far"
 
 
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        ("p.csv", "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\n", "has 2 points"),
+        ("p.csv", "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\n", "check.few_plane_points"),
         (
             "p.csv",
             "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\nc,3,2,3,P\n",
-            "one straight line",
+            "check.points_in_one_row",
         ),
         ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", 'sigma is "-1"'),
         ("p.csv", "a,1,2\n", "three coordinates are needed"),
         ("p.ply", "ply\n", "cannot be read as a static scan"),
-        ("p.csv", "a,90000,2,3\n", "km from the trajectory"),
+        ("p.csv", "a,90000,2,3\n", "coordinates.too_far_local"),
     ],
 )
 def test_references_that_cannot_be_used(
     known: tuple[Project, Survey], tmp_path: Path, name: str, text: str, said: str
 ) -> None:
     (tmp_path / name).write_text(text)
-    with pytest.raises(InputError, match=said):
+    with pytest.raises(InputError) as raised:
         check_absolute(*known, tmp_path / name)
+    assert is_refusal(raised.value, said)
 
 
 def test_the_same_points_in_every_format(known: tuple[Project, Survey], tmp_path: Path) -> None:
@@ -317,13 +322,13 @@ def test_the_same_points_in_every_format(known: tuple[Project, Survey], tmp_path
 
 def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> None:
     (tmp_path / "p.csv").write_text("a,0,30,3\n")
-    with pytest.raises(
-        NotComparable, match="no line has a flat place within 1 m of this reference"
-    ):
+    with pytest.raises(NotComparable) as refused:
         check_absolute(*known, tmp_path / "p.csv")
+    assert refused.value.code == "check.no_flat_place"
     project, survey = known
-    with pytest.raises(ProjectError, match="estimate first"):
+    with pytest.raises(ProjectError) as raised:
         check_absolute(replace(project, result=None), survey, tmp_path / "p.csv")
+    assert raised.value.code == "estimate.needed"
 
 
 def test_the_project_keeps_it_and_the_report_tells_it(

@@ -66,7 +66,7 @@ def test_every_project_has_a_row(
     rows = table(tmp_path / "table.csv")
     assert len(rows) == 6
     for name, why in (
-        ("broken", "damaged"), ("moved", "L3.laz: there is no such file; bring it back"),
+        ("broken", "damaged"), ("moved", "L3.laz: this file does not exist"),
         ("unpicked", "there is no target to adjust"),
     ):  # fmt: skip
         row = rows[str(projects / name)]
@@ -129,10 +129,12 @@ def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
 def test_what_cannot_be_done_is_said_at_once(
     projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with pytest.raises(ProjectError, match="there is no project in it"):
+    with pytest.raises(ProjectError) as raised:
         lispac.batch(tmp_path)
-    with pytest.raises(ProjectError, match="there is no such folder"):
+    assert raised.value.code == "history.no_project"
+    with pytest.raises(ProjectError) as raised:
         lispac.batch(tmp_path / "nowhere")
+    assert raised.value.code == "history.no_folder"
     with pytest.raises(InputError, match="not as doc"):
         lispac.batch(projects, form="doc")
     assert main(["batch", str(projects), "--report-format", "pdf"]) == 2

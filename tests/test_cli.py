@@ -11,6 +11,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import Project
+from tests.command_errors import codes_of, command_error
 
 
 @pytest.fixture(scope="module")
@@ -86,7 +87,7 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     assert "boresight" in out
     assert "pitch" in out
 
-    assert "there is no validation plane" in refused(capsys, "validate", project)
+    assert command_error("validate", project).code == "validate.no_planes"
     picked = answer(
         capsys, "pick", project, "--seed", 29.75, -24.6, 5.0, "--name", "V1",
         "--role", "validation", "--radius", 3,
@@ -103,9 +104,8 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     assert [plane["name"] for plane in planes] == ["V1"]
     assert planes[0]["model"]["kind"] == "plane"
 
-    assert "is the UTM zone of the trajectory" in refused(
-        capsys, "georeference", project, "--output", tmp_path / "out"
-    )
+    refusal = command_error("georeference", project, "--output", tmp_path / "out")
+    assert refusal.code == "export.no_system"
     code, out, _ = run(
         capsys, "georeference", project, "--output", tmp_path / "out", "--crs", "EPSG:32619"
     )
@@ -290,5 +290,5 @@ def test_a_refused_pick_leaves_the_project_as_it_was(
     # One line only: the target is found, but nothing compares it.
     answer(capsys, "pick", project, "--seed", 1.15, -14.7, 8.1, "--name", "T1")
     picked = (project / "project.json").read_bytes()
-    assert "a surface seen once fits any boresight" in refused(capsys, "estimate", project)
+    assert "estimate.one_line" in codes_of(command_error("estimate", project))
     assert (project / "project.json").read_bytes() == picked

@@ -11,8 +11,9 @@ from lispac.io.project_file import write_project
 from lispac.project import Project
 from lispac.workflow.repeating import remarks_on
 from lispac.workflow.same_lines import shared_lines
+from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
-from tests.test_cli import answer, refused, run
+from tests.test_cli import answer, run
 
 
 def surveyed_again(folder: Path, off_deg: tuple[float, float, float]) -> Project:
@@ -109,11 +110,11 @@ def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:
 
 def test_what_cannot_be_compared(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     project = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
-    assert "given twice" in refused(capsys, "compare", project.folder, project.folder)
+    assert command_error("compare", project.folder, project.folder).code == "repeat.given_twice"
     write_project(replace(project, folder=tmp_path / "bare", result=None, validation=()))
-    assert "bare: there is no answer yet; estimate first" in refused(
-        capsys, "compare", project.folder, tmp_path / "bare"
-    )
+    refusal = command_error("compare", project.folder, tmp_path / "bare")
+    assert refusal.code == "estimate.needed"
+    assert "bare" in str(refusal)
 
 
 def test_the_nearest_point_knows_no_radius(

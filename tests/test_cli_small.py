@@ -302,7 +302,7 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
     manifest.write_text("{")
     out, err = told(capsys, *words)
     assert "points/s" in out
-    assert err.startswith("note: L1_000 was imported again: ")
+    assert err.startswith("note: L1_000 was imported again. ")
     assert "imported already" in told(capsys, *words)[0]
 
 
@@ -363,7 +363,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert out.splitlines()[1].startswith("targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
-    assert "one line meets nothing" in notes["targetless"]
+    assert "there is only one line" in notes["targetless"]
     assert "has not been asked" not in err
     _, err = told(capsys, "compare", project.folder)
     assert err.count("has not been asked") == 3

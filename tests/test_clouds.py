@@ -291,7 +291,7 @@ def test_a_line_without_points_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "L1.las"
     with pytest.raises(InputError) as caught:
         write_cloud([], path, path, mapper, pattern_of_columns)
-    assert str(caught.value) == "L1: this line holds no points; leave it out."
+    assert caught.value.code == "export.no_points"
     assert not path.exists()
 
 
@@ -306,7 +306,8 @@ def test_chunks_before_the_trajectory_write_nothing_and_are_counted(tmp_path: Pa
     assert len(laspy.read(path).points) == 600
     with pytest.raises(InputError) as caught:
         write_cloud([early, early], path, path, mapper, pattern_of_columns)
-    assert str(caught.value) == (
-        "L1: none of its 400 points lies within the trajectory (400000.0 to 400060.0 s); check the "
-        "date and the time base, or leave the line out."
-    )
+    assert caught.value.code == "export.outside_trajectory"
+    assert caught.value.message is not None
+    assert caught.value.message.params == {
+        "line": "L1", "count": 400, "start": 400_000.0, "end": 400_060.0
+    }  # fmt: skip

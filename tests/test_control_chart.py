@@ -15,8 +15,9 @@ from lispac.report.control_charts import control_figure
 from lispac.validation.control_chart import CHANCE, control_chart, limits
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.history import System, histories
+from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
-from tests.test_cli import answer, refused, run
+from tests.test_cli import answer, run
 
 SIGMA = np.radians([0.008, 0.010, 0.025])
 
@@ -130,15 +131,15 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
 
 
 def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    assert "there is no such folder" in refused(capsys, "history", tmp_path / "gone")
+    assert command_error("history", tmp_path / "gone").code == "history.no_folder"
     (tmp_path / "empty").mkdir()
-    assert "there is no project in it" in refused(capsys, "history", tmp_path / "empty")
+    assert command_error("history", tmp_path / "empty").code == "history.no_project"
     surveyed(tmp_path / "a", "2024-05-02")
-    assert "of Fram" in refused(capsys, "history", tmp_path, "--vessel", "Fram")
+    assert command_error("history", tmp_path, "--vessel", "Fram").code == "history.none_of_vessel"
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "project.json").write_text("{}")
     found = answer(capsys, "history", tmp_path)
-    assert any("b" in remark and "Left out" in remark for remark in found["remarks"])
+    assert any("b" in remark and remark.startswith("Not used: ") for remark in found["remarks"])
 
 
 def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
@@ -179,7 +180,7 @@ def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = histories([tmp_path])
-    assert remarks == ("Left out: b has no answer yet.",)
+    assert remarks == ("Not used: b has no result yet.",)
     told = {history.entries[0].project.name: history.remarks for history in found}
     sentence = (
         "These projects do not name vessel, scanner and INS/GNSS: whether they are of one system "

@@ -24,9 +24,10 @@ from lispac.report.document import document_of
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.budget import budget_of
 from lispac.workflow.survey import load_survey
+from tests.command_errors import command_error
 from tests.few_passes import answered
 from tests.report_sample import sample_content, sample_project
-from tests.test_cli import answer, refused, run
+from tests.test_cli import answer, run
 
 DRAWS = 5_000
 
@@ -205,7 +206,7 @@ def test_the_command_and_the_report_say_the_same(
     assert last[6] == f"{100 * at_50['across_beam_m']:.2f}"
     assert any(isinstance(b, Bullets) and b.items == budget.in_words for b in section.blocks)
     write_project(replace(project, result=None))
-    assert "estimate first" in refused(capsys, "budget", project.folder)
+    assert command_error("budget", project.folder).code == "estimate.needed"
 
 
 @pytest.mark.parametrize("sigma", [(-0.01, 0.01, 0.01), (0.01, np.inf, 0.01), (0.0, 0.0, np.nan)])
@@ -215,6 +216,6 @@ def test_sigmas_of_the_lever_arm_that_make_no_sense_are_refused(
     project, survey = answered()
     with pytest.raises(InputError) as caught:
         budget_of(project, survey, lever_sigma=sigma)
-    assert str(caught.value) == "The sigmas of the lever arm must be zero or more; correct them."
+    assert caught.value.code == "estimate.lever_arm_sigma"
     known = budget_of(project, survey, lever_sigma=(0.0, 0.0, 0.0))
     assert known.beams

@@ -26,7 +26,6 @@ NOT_SAID: dict[str, set[str]] = {
         "(bow|nose) down|down (bow|nose)",
         "POS Export Utility|Applanix|POSPac|POSPROC",
         r"([A-Za-z][A-Za-z ,]*?)\s+in\s+([A-Za-z./]+(?:\s+(?:Min\w*|Survey \w+|Feet|Foot))?)",
-        r"; import (it|the line) again\.$",
         "[^.:;{}]*(?:, | and | or )[^.:;{}]*",
     },
     "names of columns, and words of the headers of other programs, as they are looked for": {

@@ -9,6 +9,7 @@ import pytest
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Finding
+from lispac.io.sight import sight
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.time_base import base_of
 from lispac.survey.time_stated import Known
@@ -232,6 +233,14 @@ RADIANS = (
     "degrees if they are."
 )
 
+_RANGE = np.linspace(6_000.0, 6_650.0, 50)
+(FAR,) = (
+    doubt
+    for doubt in sight(np.column_stack([_RANGE, -_RANGE, 0 * _RANGE]), _RANGE, crs="").doubts
+    if "origin" in doubt
+)
+"""What is said of points too far for a scanner."""
+
 
 @pytest.mark.parametrize(
     ("key", "doubt", "options", "asks"),
@@ -249,6 +258,7 @@ RADIANS = (
             [("unit", "foot"), ("unit", "us-survey-foot")], ["", ""],
         ),
         ("las", "They lie far from zero; check the frame.", [None], ["frame"]),
+        ("las", FAR, [None], ["frame"]),
         ("las", "They could be two: choose the time base.", [None], ["time_base"]),
         ("sbet", "By their values alone they could also be of the day.", [None], ["time"]),
         ("sbet", "The vessel jumps by 3 m.", [], []),

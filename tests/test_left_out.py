@@ -11,6 +11,7 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.time_base import GPS_EPOCH, WEEK
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project
+from tests.command_errors import codes_of
 from tests.intake_files import LEVER, START, fan, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
@@ -70,7 +71,7 @@ def test_a_base_that_the_values_suggested_is_said_to_be_that(tmp_path: Path) -> 
         made(tmp_path / "p", tmp_path / "unix.sbet", line, stated)
     told = str(caught.value)
     assert "GPS seconds since 1980-01-06 (as its values suggest)" in told
-    assert "could also be UTC seconds since 1970-01-01, where the points lie inside" in told
+    assert "time_base.other_trajectory_base" in codes_of(caught.value)
     assert "--trajectory-option time=unix" in told
     _, survey = made(
         tmp_path / "p", tmp_path / "unix.sbet", line, stated,

@@ -13,6 +13,7 @@ from lispac.project import Project
 from lispac.validation.line_differences import line_difference
 from lispac.workflow.line_quality import Figures, line_quality
 from lispac.workflow.survey import Survey
+from tests.command_errors import command_error
 from tests.error_codes import has_code
 from tests.few_passes import picked
 from tests.test_cli import answer, refused, run
@@ -120,13 +121,15 @@ def test_the_command_prints_draws_and_lists(
     assert "have not been estimated" in refused(
         capsys, "quality", project.folder, "--with", "estimated"
     )
-    assert "at most 10 m" in refused(capsys, "quality", project.folder, "--reach", "11")
+    refusal = command_error("quality", project.folder, "--reach", "11")
+    assert refusal.code == "check.search_distance"
 
 
 def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    with pytest.raises(InputError, match=r"at most 10 m"):
+    with pytest.raises(InputError) as raised:
         line_quality(project, survey, reach=0.0)
+    assert raised.value.code == "check.search_distance"
     bare = Project(project.folder, project.trajectory, project.lines, project.settings)
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         line_quality(bare, survey, which="estimated")
@@ -146,7 +149,6 @@ def test_lines_that_are_nowhere_near_each_other_are_refused() -> None:
     alone = replace(survey, clouds={"L1": survey.clouds["L1"]})
     with pytest.raises(NotComparable) as caught:
         line_quality(project, alone, reach=0.25)
-    assert str(caught.value) == (
-        "site: no two lines share a flat place within 0.25 m of each other; widen the reach, or "
-        "add lines over the same scene."
-    )
+    assert caught.value.code == "check.no_common_place"
+    assert caught.value.message is not None
+    assert caught.value.message.params == {"project": "site", "distance": 0.25}

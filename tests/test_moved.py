@@ -16,6 +16,7 @@ from lispac.workflow import demo, moved
 from lispac.workflow.moved import missing, with_files_beside, with_files_in, with_files_of
 from lispac.workflow.projects import create_project, open_project, opened_with_notes, unsaved_work
 from lispac.workflow.survey import load_survey
+from tests.command_errors import command_error
 
 
 @pytest.fixture(scope="module")
@@ -114,10 +115,12 @@ def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
     project = read_project(disk / "projects" / "quay")
     shutil.rmtree(disk / "survey")
     (tmp_path / "empty").mkdir()
-    with pytest.raises(InputError, match="none of the missing files is in this folder"):
+    with pytest.raises(InputError) as raised:
         with_files_in(project, tmp_path / "empty")
-    with pytest.raises(InputError, match="bring them back, or say where they are now"):
+    assert raised.value.code == "project_files.none_of_many_found"
+    with pytest.raises(InputError) as raised:
         load_survey(project)
+    assert raised.value.code == "project_files.many_missing"
 
 
 def test_unsaved_work_is_found_its_files_too(disk: Path) -> None:
@@ -136,8 +139,7 @@ def test_at_the_command_line_and_in_a_script(
 ) -> None:
     home, usb = disk / "projects" / "quay", tmp_path / "usb"
     shutil.move(disk / "survey", usb / "quay")
-    assert main(["warnings", str(home)]) == 1
-    assert "lispac locate" in capsys.readouterr().err
+    assert command_error("warnings", home).code == "project_files.many_missing"
     assert missing(lispac.open(home, files=usb).project) == ()
     assert main(["locate", str(home), str(usb / "nowhere")]) == 1
     assert "nowhere: the folder does not exist" in capsys.readouterr().err

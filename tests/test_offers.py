@@ -1,8 +1,11 @@
 """What is offered for a line of which points lie outside the trajectory, and when nothing is."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from lispac.messages import Message
 from lispac.project import Reading
 from lispac.survey.time_base import DAY
 from lispac.workflow.offers import offered, outside
@@ -44,15 +47,15 @@ def test_beside_a_typed_shift_no_other_is_offered() -> None:
 
 
 @pytest.mark.parametrize(
-    ("shift", "remedy"),
-    [
-        (5_000.0, "check the shift: without it they lie inside."),
-        (-90_000.0, "check the shift: give another, or leave the line out."),
-    ],
+    ("shift", "code"), [(5_000.0, "import.shift_not_needed"), (-90_000.0, "import.shift_wrong")]
 )
-def test_a_shift_that_leads_outside_is_named_with_what_helps(shift: float, remedy: str) -> None:
+def test_a_shift_that_leads_outside_is_named_with_what_helps(shift: float, code: str) -> None:
     written = np.linspace(400_010, 400_020, 50) + (0 if shift > 0 else 4_000)
-    said = outside(Reading(time_shift=shift), written + shift, track(400_000, 400_100))
-    assert said.startswith(f"shifted by {shift:+,.3f} s, its points (")
-    assert "lie outside the trajectory (400000.0 to 400100.0 s)" in said
-    assert said.endswith(remedy)
+    times, known = written + shift, track(400_000, 400_100)
+    refusal = outside(Reading(time_shift=shift), times, known, Path("L1.las"))
+    assert isinstance(refusal, Message)
+    assert refusal.code == code
+    assert refusal.params == {
+        "file": "L1.las", "shift": shift, "first": times.min(), "last": times.max(),
+        "start": 400_000.0, "end": 400_100.0,
+    }  # fmt: skip

@@ -86,9 +86,7 @@ def test_one_line_shares_no_objects() -> None:
     project, survey = picked()
     with pytest.raises(AdjustmentError) as caught:
         propose(project, only(survey, "L2"))
-    assert str(caught.value) == (
-        "site: one line meets nothing; add lines in other directions over the same scene."
-    )
+    assert caught.value.code == "patch_test.single_line"
 
 
 def test_lines_in_the_clouds_share_no_objects() -> None:
@@ -105,9 +103,7 @@ def test_lines_in_the_clouds_share_no_objects() -> None:
     }
     with pytest.raises(AdjustmentError) as caught:
         propose(project, replace(survey, scans=scans, clouds=clouds))
-    assert str(caught.value) == (
-        "site: the lines share no flat surface; lay boxes about objects that two lines see."
-    )
+    assert caught.value.code == "patch_test.nothing_shared"
 
 
 def test_an_answer_that_says_nothing_of_what_is_seen_gets_no_advice() -> None:
@@ -158,7 +154,7 @@ def planned() -> TitledPlan:
 def test_a_plan_is_compared_with_an_answer_only(planned: TitledPlan) -> None:
     with pytest.raises(ProjectError) as caught:
         replay(*picked(), planned)
-    assert str(caught.value) == "site has no result yet; estimate the boresight first."
+    assert caught.value.code == "estimate.needed"
 
 
 def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledPlan) -> None:

@@ -323,8 +323,9 @@ def test_the_answer_is_kept_where_it_has_a_sigma(
     assert kept.surfaces == len(numbers["objects"])
     assert list(kept.remarks) == numbers["remarks"]
     few = find(*thinned, laid.only({each.name for each in laid.objects[:4]}))
-    with pytest.raises(AdjustmentError, match="has no sigma"):
+    with pytest.raises(AdjustmentError) as raised:
         of_the_patch_test(few)
+    assert raised.value.code == "estimate.patch_test_without_sigma"
 
 
 @pytest.mark.long

@@ -18,6 +18,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.reading import looks
 from lispac.workflow.survey import Survey, load_survey
+from tests.command_errors import command_error, is_refusal
 
 APPLIED = (0.5, -1.0, 0.7)
 """Boresight (deg) that other software made the clouds with."""
@@ -148,16 +149,15 @@ def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
     [
         (["--line-option", "frame=moon"], "frame cannot be moon"),
         (["--line-format", "fax"], "There is no format fax"),
-        (["--trajectory-format", "las"], "is no format of a trajectory file"),
+        (["--trajectory-format", "las"], "import.not_trajectory_format"),
         (["--trajectory-option", "colour=red"], "has no option colour"),
     ],
 )
-def test_what_makes_no_sense_is_refused(calibrated, tmp_path, capsys, options, said) -> None:
+def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> None:
     project, _ = calibrated
     line = str(project.lines[0].path)
     command = ["new", str(tmp_path / "p"), line, "--trajectory", str(project.trajectory)]
-    assert main([*command, "--lever-arm", "0", "0", "1", *options]) == 1
-    assert said in capsys.readouterr().err
+    assert is_refusal(command_error(*command, "--lever-arm", "0", "0", "1", *options), said)
     assert not (tmp_path / "p").exists()
 
 
@@ -165,19 +165,17 @@ def test_what_makes_no_sense_is_refused(calibrated, tmp_path, capsys, options, s
     ("content", "said"),
     [
         ("", "file is empty."),
-        ("x y z\n1 2 3\n4 5 6\n", "its points have no times, so it is no line: export it with"),
-        ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "its points have no times, so it is no line"),
+        ("x y z\n1 2 3\n4 5 6\n", "import.points_without_time"),
+        ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "import.points_without_time"),
     ],
 )
-def test_why_a_file_is_no_line_is_said(tmp_path, capsys, content, said) -> None:
+def test_why_a_file_is_no_line_is_said(tmp_path, content, said) -> None:
     path = tmp_path / "quay.txt"
     path.write_text(content)
-    assert main(["look", str(path)]) == 1
-    assert said in capsys.readouterr().err
+    assert is_refusal(command_error("look", path), said)
 
 
-def test_a_file_nobody_knows_is_refused(tmp_path, capsys) -> None:
+def test_a_file_nobody_knows_is_refused(tmp_path) -> None:
     path = tmp_path / "notes.doc"
     path.write_bytes(b"\x00\x01nothing" * 40)
-    assert main(["look", str(path)]) == 1
-    assert "no format knows this file" in capsys.readouterr().err
+    assert command_error("look", path).code == "import.unknown_format"

@@ -70,8 +70,9 @@ def test_targets_on_one_line_each_are_refused(calibrated: tuple[Project, Survey]
         project = project.with_target(
             replace(target, sightings=target.sightings[k % 2 : k % 2 + 1])
         )
-    with pytest.raises(AdjustmentError, match="used on two lines"):
+    with pytest.raises(AdjustmentError) as raised:
         calibration.estimate(project, survey)
+    assert raised.value.code == "estimate.no_common_target"
 
 
 def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey]) -> None:
@@ -86,23 +87,25 @@ def test_fewer_than_three_points_are_refused(calibrated: tuple[Project, Survey])
 
 def test_nothing_picked_is_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    with pytest.raises(AdjustmentError, match="pick planar targets first"):
+    with pytest.raises(AdjustmentError) as raised:
         calibration.estimate(replace(project, targets=()), survey)
+    assert raised.value.code == "estimate.no_target"
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         validate(replace(project, result=None), survey)
     only_targets = replace(project, targets=project.of_role("target"))
-    with pytest.raises(ProjectError, match="no validation plane"):
+    with pytest.raises(ProjectError) as raised:
         validate(only_targets, survey)
+    assert raised.value.code == "validate.no_planes"
 
 
 def test_moved_files_are_named_and_the_project_still_opens(copy: Project) -> None:
     before = (copy.folder / "project.json").read_bytes()
     (copy.folder / "raw").rename(copy.folder / "elsewhere")
     moved = projects.open_project(copy.folder)
-    with pytest.raises(
-        InputError, match=r"trajectory\.sbet: there is no such file, nor .*lispac locate"
-    ):
+    with pytest.raises(InputError) as raised:
         load_survey(moved)
+    assert raised.value.code == "project_files.many_missing"
+    assert "trajectory.sbet" in str(raised.value)
     assert (copy.folder / "project.json").read_bytes() == before
 
 
@@ -125,8 +128,10 @@ def test_another_file_under_the_same_name_is_refused(copy: Project) -> None:
     """Indices mean nothing in other points: shorter, or of another line."""
     first, second = copy.lines[0].path, copy.lines[1].path
     shutil.copyfile(second, first)
-    with pytest.raises(InputError, match=f"{first.name}: these are not the points T1"):
+    with pytest.raises(InputError) as raised:
         load_survey(projects.open_project(copy.folder))
+    assert raised.value.code == "import.other_points"
+    assert first.name in str(raised.value)
 
 
 @pytest.mark.parametrize(
@@ -184,18 +189,20 @@ def test_an_origin_elsewhere_is_refused(copy: Project) -> None:
 def test_the_demo_leaves_other_files_alone(tmp_path: Path) -> None:
     (tmp_path / "raw").mkdir()
     (tmp_path / "raw" / "L1_000.laz").write_text("mine")
-    with pytest.raises(ProjectError, match="holds other files"):
+    with pytest.raises(ProjectError) as raised:
         make_demo(tmp_path)
+    assert raised.value.code == "simulate.folder_in_use"
     assert (tmp_path / "raw" / "L1_000.laz").read_text() == "mine"
 
 
 def test_one_line_is_not_picked_in_another_role(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     line = survey.lines[0]
-    with pytest.raises(ProjectError, match="T1 is a target already"):
+    with pytest.raises(ProjectError) as raised:
         picking.pick(
             project, survey, project.target("T1").seed, name="T1", line=line, role="validation"
         )
+    assert raised.value.code == "pick.is_target"
 
 
 def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
@@ -208,11 +215,10 @@ def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
 
 
 @pytest.mark.parametrize(
-    ("moved", "remedy"),
-    [(0.0, "without it they lie inside"), (86_400.0, "give another, or leave the line out")],
+    ("moved", "code"), [(0.0, "import.shift_not_needed"), (86_400.0, "import.shift_wrong")]
 )
 def test_the_shift_that_takes_a_line_off_the_trajectory_is_named(
-    copy: Project, moved: float, remedy: str
+    copy: Project, moved: float, code: str
 ) -> None:
     line = copy.lines[1]
     las = laspy.read(line.path)
@@ -221,9 +227,9 @@ def test_the_shift_that_takes_a_line_off_the_trajectory_is_named(
     shifted = replace(line, reading=replace(line.reading, time_shift=12_345.0))
     with pytest.raises(InputError) as refused:
         load_survey(replace(copy, lines=(copy.lines[0], shifted), targets=()))
-    said = str(refused.value)
-    assert "shifted by +12,345.000 s" in said
-    assert said.endswith(f"check the shift: {remedy}.")
+    assert refused.value.code == code
+    assert refused.value.message is not None
+    assert refused.value.message.params["shift"] == 12_345.0
 
 
 def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
@@ -239,16 +245,18 @@ def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
 
 
 def test_a_project_folder_is_not_overwritten(copy: Project) -> None:
-    with pytest.raises(ProjectError, match="there is a project here already"):
+    with pytest.raises(ProjectError) as raised:
         projects.create_project(
             copy.folder, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
         )
+    assert raised.value.code == "project_folder.exists"
     other = copy.folder.parent / "mine"
     projects.create_project(
         other, trajectory=copy.trajectory, lines=copy.lines, settings=copy.settings
     )
-    with pytest.raises(ProjectError, match="holds other files"):
+    with pytest.raises(ProjectError) as raised:
         make_demo(other)
+    assert raised.value.code == "simulate.folder_in_use"
 
 
 @pytest.mark.parametrize(
@@ -306,13 +314,14 @@ def test_settings_that_make_no_sense_are_refused(
 
 def test_two_lines_of_one_name_are_refused(copy: Project, tmp_path: Path) -> None:
     line = copy.lines[0]
-    with pytest.raises(InputError, match="Two lines are named"):
+    with pytest.raises(InputError) as raised:
         projects.create_project(
             tmp_path / "twins",
             trajectory=copy.trajectory,
             lines=[line, LineSource(line.name, copy.lines[1].path)],
             settings=copy.settings,
         )
+    assert raised.value.code == "project_line.same_name"
 
 
 def test_an_adjustment_without_an_answer_names_what_is_wrong_with_the_data(

@@ -28,6 +28,7 @@ from lispac.survey.conventions.systems import SYSTEMS, system
 from lispac.survey.conventions.words import CHECK_FIRST
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.report_options import KEYS, report_options
+from tests.command_errors import codes_of, is_refusal
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL
 from tests.test_report import _page, _pdf_text
@@ -101,22 +102,23 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("colour = 'red'", "has no colour; it can have logo, company"),
-        ("page = 'a5'", "There is no page a5; choose one of a4, letter"),
-        ("page = 4", "page must be a text in quotation marks"),
+        ("colour = 'red'", "report_template.unknown_key"),
+        ("page = 'a5'", "report_template.no_page"),
+        ("page = 4", "report_template.not_text"),
         ("language = 'de'", "There is no translation into 'de'; choose one of en, fr"),
         ("convention = 'lidarsoft'", "lidarsoft: there is no convention of this name"),
-        ("company = Fleuve", "this report template is no TOML file"),
+        ("company = Fleuve", "report_template.not_toml"),
         ("logo = 'none.png'", r"none\.png: this logo file does not exist"),
-        ("logo = 'own.toml'", "a logo is a PNG or SVG picture; this file is neither"),
-        ('heading = "a\\u0007b"', "heading is longer than 2,000 letters or holds one that"),
+        ("logo = 'own.toml'", "report_template.logo_format"),
+        ('heading = "a\\u0007b"', "report_template.long_text"),
     ],
 )
 def test_a_bad_template_is_refused_in_one_sentence(tmp_path: Path, text: str, said: str) -> None:
     path = tmp_path / "own.toml"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match=said) as refusal:
+    with pytest.raises(InputError) as refusal:
         report_options(path)
+    assert is_refusal(refusal.value, said)
     assert str(refusal.value).startswith(str(path))
     assert "\n" not in str(refusal.value)
 
@@ -126,8 +128,9 @@ def test_a_template_that_is_not_there_or_not_text_is_refused(tmp_path: Path) -> 
         report_options(tmp_path / "gone.toml")
     assert refusal.value.code == "file.not_found"
     (tmp_path / "odd.toml").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(InputError, match="is no TOML file"):
+    with pytest.raises(InputError) as raised:
         report_options(tmp_path / "odd.toml")
+    assert raised.value.code == "report_template.not_toml"
 
 
 def test_a_logo_that_cannot_be_drawn_is_named(
@@ -365,6 +368,5 @@ def test_a_logo_is_told_by_what_is_in_it(template: Path, tmp_path: Path) -> None
     logo.write_bytes(LOGO)
     with pytest.raises(InputError) as refusal:
         report_options(template)
-    assert str(refusal.value).endswith(
-        f"{logo}: a logo is a PNG or SVG picture; this file is neither."
-    )
+    assert "report_template.logo_format" in codes_of(refusal.value)
+    assert str(logo) in str(refusal.value)

@@ -80,8 +80,9 @@ def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path,
     assert (there / LINES / "one" / MARK).exists()
     (there / "minutes.txt").write_text("not ours")
     (there / LINES / "one" / "notes.txt").write_text("not ours either")
-    with pytest.raises(ProjectError, match="no unfinished save has left"):
+    with pytest.raises(ProjectError) as raised:
         save_project_as(project, load_survey(project), there)
+    assert raised.value.code == "project_folder.has_files"
     assert (there / LINES / "one" / "notes.txt").read_text() == "not ours either"
     (there / LINES / "one" / "notes.txt").unlink()
     moved, _ = save_project_as(project, load_survey(project), there)
@@ -97,8 +98,9 @@ def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path,
 def test_a_save_under_way_is_left_alone(project: Project, tmp_path: Path) -> None:
     lines = tmp_path / "office" / LINES
     lines.mkdir(parents=True)
-    with locked(lines), pytest.raises(ProjectError, match="is saving a project here"):
+    with locked(lines), pytest.raises(ProjectError) as raised:
         save_project_as(project, load_survey(project), tmp_path / "office")
+    assert raised.value.code == "project_folder.being_saved"
 
 
 def test_stores_that_are_not_marked_stay(project: Project, tmp_path: Path) -> None:
@@ -106,8 +108,9 @@ def test_stores_that_are_not_marked_stay(project: Project, tmp_path: Path) -> No
     save_project_as(project, survey, there)
     (there / "project.json").unlink()
     before = names(there)
-    with pytest.raises(ProjectError, match="one: there are files here already"):
+    with pytest.raises(ProjectError) as raised:
         save_project_as(project, survey, there)
+    assert raised.value.code == "project_folder.has_files"
     assert names(there) == before
 
 
@@ -145,8 +148,10 @@ def test_a_damaged_column_is_not_copied(project: Project, tmp_path: Path) -> Non
     content = bytearray(column.read_bytes())
     content[1000] ^= 0x40
     column.write_bytes(content)
-    with pytest.raises(ProjectError, match=r"xyz\.npy.*checksum does not hold.*import the line"):
+    with pytest.raises(ProjectError) as raised:
         save_project_as(project, survey, tmp_path / "office")
+    assert raised.value.code == "import.part_changed"
+    assert "xyz.npy" in str(raised.value)
     assert not (tmp_path / "office").exists()
 
 
@@ -176,8 +181,9 @@ def test_what_could_not_be_saved_leaves_its_folder_free(
 def test_a_file_is_no_folder_to_save_in(calibrated: tuple[Project, Survey], tmp_path: Path) -> None:
     file = tmp_path / "notes.txt"
     file.write_text("mine")
-    with pytest.raises(ProjectError, match="this is a file"):
+    with pytest.raises(ProjectError) as raised:
         save_project_as(*calibrated, file)
+    assert raised.value.code == "project_folder.is_file"
     assert file.read_text() == "mine"
 
 
@@ -187,9 +193,8 @@ def test_a_folder_with_a_project_is_not_saved_over(tmp_path: Path) -> None:
     before = (moved.folder / "project.json").read_bytes()
     with pytest.raises(ProjectError) as caught:
         save_project_as(replace(project, targets=()), survey, tmp_path / "quay")
-    assert str(caught.value) == (
-        f"{tmp_path / 'quay'}: there is a project here already; choose another folder."
-    )
+    assert caught.value.code == "project_folder.exists"
+    assert str(caught.value).startswith(f"{tmp_path / 'quay'}: ")
     assert (moved.folder / "project.json").read_bytes() == before
 
 

@@ -16,6 +16,7 @@ from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import find
 from lispac.workflow.seed_lists import pick_seeds, read_seeds, role_by_name
 from lispac.workflow.survey import Survey, load_survey
+from tests.command_errors import command_error
 from tests.test_cli import run
 
 SEEDS = demo_seeds()
@@ -62,8 +63,8 @@ def test_a_list_gives_what_single_picks_give(
     code, out, err = run(capsys, "pick", folder, "--seeds", path)
     assert code == 1
     assert err.splitlines()[-1] == (
-        f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6); the table says "
-        "why. The others are saved."
+        f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
+        "the reason. The others are saved."
     )
     assert "note: columns as named: name, north, west, up" in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
@@ -91,10 +92,9 @@ def test_in_a_coordinate_system_as_json(
         "".join(f"B{k} {n:.4f} {e:.4f} {h:.4f}\n" for k, (e, n, h) in enumerate(on_map))
     )
     words = ["pick", folder, "--seeds", path, "--crs", CODE]
-    code, _, err = run(capsys, *words)
-    assert code == 1
-    assert "row 1: B0: the coordinates" in err
-    assert "easting comes first, then northing: exchange the two" in err
+    refusal = command_error(*words)
+    assert refusal.code == "coordinates.swapped_projected"
+    assert "row 1: B0: " in str(refusal)
     code, out, err = run(capsys, *words, "--columns", "name,y,x,z", "--role", "target", "--json")
     assert code == 0, err
     assert "coordinates in WGS 84 / UTM zone 18N (EPSG:32618)" in err
@@ -116,11 +116,12 @@ def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None
     assert "row 2: the number of columns is 2" in refused(capsys, folder, good + "T2;1\n")
     assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
     far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
-    assert "row 2: T2: the coordinates" in far
-    assert "km from the trajectory; give metres north, west and up" in far
+    assert "row 2: T2: " in far
+    assert "5.04123e+06" in far or "5041234.0" in far
+    assert "km from the trajectory" in far
     assert "lack z" in refused(capsys, folder, good, "--columns", "name,x,y")
     none = refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
-    assert "no target was found at any of the 2 seeds; A (row 1): " in none
+    assert "at any of the 2 seeds. A (row 1): " in none
 
 
 def test_a_name_that_is_taken_is_refused_or_replaced(
@@ -130,7 +131,7 @@ def test_a_name_that_is_taken_is_refused_or_replaced(
     path.write_text(rows("T1", "V1"))
     assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
     again = rows("T2", "T1", offset=0.05)
-    assert "row 2: the project has a T1 already" in refused(capsys, folder, again)
+    assert "row 2: the project already has a T1" in refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)

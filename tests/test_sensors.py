@@ -22,6 +22,7 @@ from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.reverse_translation.translation import Translator
 from lispac.workflow import sensors
 from lispac.workflow.projects import open_project
+from tests.command_errors import command_error
 from tests.test_cli import answer, new_words, run
 
 MINE = ScannerFigures('Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
@@ -124,29 +125,32 @@ def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    ("figures", "words"),
+    ("figures", "code"),
     [
-        (replace(MINE, title=" "), "needs a title"),
-        (replace(MINE, source=""), "where the figures come from"),
-        (replace(MINE, source="a\nb"), "one line"),
-        (PosFigures("INS", ()), "one GNSS solution at least"),
+        (replace(MINE, title=" "), "sensor.no_title"),
+        (replace(MINE, source=""), "sensor.no_source"),
+        (replace(MINE, source="a\nb"), "sensor.long_text"),
+        (PosFigures("INS", ()), "sensor.no_sigmas"),
     ],
 )
 def test_what_cannot_be_kept_is_refused(
-    tmp_path: Path, figures: ScannerFigures | PosFigures, words: str
+    tmp_path: Path, figures: ScannerFigures | PosFigures, code: str
 ) -> None:
-    with pytest.raises(InputError, match=words):
+    with pytest.raises(InputError) as raised:
         sensors.keep(tmp_path, figures)
+    assert raised.value.code == code
     assert list(tmp_path.iterdir()) == []
 
 
 def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
     sensors.keep(tmp_path, MINE)
-    with pytest.raises(InputError, match="already; give another title"):
+    with pytest.raises(InputError) as raised:
         sensors.keep(tmp_path, MINE)
+    assert raised.value.code == "sensor.title_taken"
     supplied = next(s for s in sensors.library(tmp_path).scanners if not s.own)
-    with pytest.raises(InputError, match="comes with the program"):
+    with pytest.raises(InputError) as raised:
         sensors.remove(tmp_path, supplied)
+    assert raised.value.code == "sensor.supplied"
 
 
 def test_the_folder_is_that_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -201,25 +205,24 @@ def test_a_new_project_takes_sigmas_and_names_from_the_library(
 
 
 @pytest.mark.parametrize(
-    ("option", "word", "said"),
+    ("option", "word", "code"),
     [
-        ("--scanner", "nikon", "There is no scanner named nikon in the library; give one of "),
-        ("--pos", "apogee", "apogee: say with which GNSS solution its sigmas are to be taken: "
-         "apogee:rtk, apogee:ppk, apogee:degraded."),
-        ("--pos", "sextant", "There is no POS named sextant in the library; give one of "),
+        ("--scanner", "nikon", "sensor.no_scanner"),
+        ("--pos", "apogee", "sensor.no_solution"),
+        ("--pos", "sextant", "sensor.no_pos"),
     ],
-)  # fmt: skip
+)
 def test_what_the_library_lacks_is_said(
-    capsys: pytest.CaptureFixture[str], own: Path, tmp_path: Path, option: str, word: str, said: str
+    own: Path, tmp_path: Path, option: str, word: str, code: str
 ) -> None:
     words = [
         w
         for w in new_words(tmp_path / "quay", tmp_path, tmp_path / "L1.las")
         if w not in ("--lidar-sigma", 0.0017)
     ]
-    code, _, err = run(capsys, *words, option, word)
-    assert code == 1
-    assert said in err
+    refusal = command_error(*words, option, word)
+    assert refusal.code == code
+    assert word in str(refusal)
     assert not (tmp_path / "quay").exists()
 
 

@@ -16,6 +16,7 @@ from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow.projects import open_project
 from lispac.workflow.simulated_setup import simulation
+from tests.command_errors import command_error
 
 BORESIGHT_DEG = (0.8, -0.5, 1.1)
 
@@ -250,19 +251,19 @@ def test_what_cannot_be_replayed_is_refused(
         scene.write_text(text)
         assert said in refused(capsys, "simulate", scene, "--output", tmp_path / "no")
         assert not (tmp_path / "no").exists()
-    said = refused(
-        capsys, "simulate", "marine", "--trajectory", tmp_path / "true.sbet", "--output",
-        tmp_path / "no",
-    )  # fmt: skip
-    assert "start_s, stop_s and side" in said
+    refusal = command_error(
+        "simulate", "marine", "--trajectory", tmp_path / "true.sbet", "--output", tmp_path / "no"
+    )
+    assert refusal.code == "simulate.lines_by_heading"
 
 
 def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    said = refused(capsys, "simulate", "prot", "--output", tmp_path / "a")
-    assert "no scene named prot" in said
-    assert "marine, port, terrestrial" in said
-    said = refused(capsys, "simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
-    assert "no vessel named barge" in said
+    refusal = command_error("simulate", "prot", "--output", tmp_path / "a")
+    assert refusal.code == "simulate.no_scene"
+    assert refusal.message is not None
+    assert refusal.message.params["known"] == ("marine", "port", "terrestrial")
+    refusal = command_error("simulate", "port", "--vessel", "barge", "--output", tmp_path / "a")
+    assert refusal.code == "simulate.no_vessel"
     for option, value, told in (
         ("--latency", 100, "latency of 100 s is larger than 10.0 s"),
         ("--range-offset", -50, "range offset of 50.0 m is larger than 10.0 m"),
@@ -284,13 +285,15 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     full = tmp_path / "full"
     full.mkdir()
     (full / "thesis.doc").write_text("mine")
-    assert "holds other files" in refused(capsys, "simulate", "marine", "--output", full)
+    refusal = command_error("simulate", "marine", "--output", full)
+    assert refusal.code == "simulate.folder_in_use"
     assert [path.name for path in full.iterdir()] == ["thesis.doc"]
     assert run(capsys, "simulate", "--output", tmp_path / "a")[0] == 2
     blind = tmp_path / "blind.toml"
     text = (resource("scenes") / "marine.toml").read_text()
     blind.write_text(text.replace("distance_m = 15", "distance_m = 400"))
-    assert "sees nothing" in refused(capsys, "simulate", blind, "--output", tmp_path / "a")
+    refusal = command_error("simulate", blind, "--output", tmp_path / "a")
+    assert refusal.code == "simulate.line_without_points"
     assert not (tmp_path / "a").exists()
 
 

@@ -155,10 +155,12 @@ def test_one_line_can_have_a_seed_of_its_own(balls, picked):
     found = picking.find(project, balls.survey, seed, sphere_radius=0.15, **how)
     assert [s.line for s in found.sightings] == list(balls.survey.lines)
     assert found.missing == {}
-    with pytest.raises(ProjectError, match=r"S1 has a radius of 0\.15 m; pick it with the same"):
+    with pytest.raises(ProjectError) as raised:
         picking.find(project, balls.survey, seed, **how)
-    with pytest.raises(ProjectError, match="S1 is a sphere already; pick it in the same shape"):
+    assert raised.value.code == "pick.other_radius"
+    with pytest.raises(ProjectError) as raised:
         picking.find(project, balls.survey, seed, name="S1", line="L3")
+    assert raised.value.code == "pick.is_sphere"
 
 
 def test_a_wall_is_no_ball(balls):

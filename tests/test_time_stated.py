@@ -7,6 +7,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError
+from lispac.messages import note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import WEEK, Match, base_of
 from lispac.survey.time_stated import Known, contradiction, nowhere, offer
@@ -14,6 +15,7 @@ from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
 from lispac.workflow.survey import load_survey
+from tests.command_errors import codes_of, command_error
 from tests.intake_files import LEVER, START, named, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
@@ -104,9 +106,9 @@ def test_what_the_times_cannot_be_is_refused(base: str, track, tmp_path) -> None
     line = write_points(tmp_path / "L.las", 0)
     with pytest.raises(InputError) as caught:
         made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
-    told = str(caught.value)
-    assert told.startswith(f"{line}: its times from 486,030.000 to 486,060.000 s cannot be ")
-    assert "state gps-week or utc-week" in told
+    assert codes_of(caught.value) == ["import.time_base_refused", "time_base.not_possible"]
+    assert str(caught.value).startswith(f"{line}: Its times from 486,030.000 to 486,060.000 s ")
+    assert "gps-week or utc-week" in str(caught.value)
     assert not (tmp_path / "p").exists()
 
 
@@ -116,10 +118,10 @@ def test_a_typed_shift_is_not_doubled_and_must_agree(track, tmp_path, capsys) ->
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     command = ["new", str(tmp_path / "q"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "1", "--line-option", "time_base=utc-week"]
-    assert main([*command, "--time-shift", "5"]) == 1
-    told = capsys.readouterr().err
-    assert "a shift of +5.000 s is given, but +18.000 s bring" in told
-    assert "give either the shift or the time base" in told
+    refusal = command_error(*command, "--time-shift", "5")
+    assert refusal.code == "import.shift_contradicts_base"
+    assert refusal.message is not None
+    assert (refusal.message.params["given"], refusal.message.params["needed"]) == (5.0, 18.0)
     assert not (tmp_path / "q").exists()
     assert main(command) == 0
     assert "+18.000 s are added" in capsys.readouterr().err
@@ -127,44 +129,39 @@ def test_a_typed_shift_is_not_doubled_and_must_agree(track, tmp_path, capsys) ->
 
 def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 50_000)
-    with pytest.raises(InputError, match="none of its points lies within the trajectory"):
+    with pytest.raises(InputError) as raised:
         made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
+    assert codes_of(raised.value) == ["import.time_base_refused", "time_base.no_overlap"]
 
 
 def test_times_that_fit_no_base_say_so() -> None:
     stated = Known(base_of("gps-week"), stated=True)
     times = np.array([5e12, 4e12])
-    assert contradiction(times, stated) == (
-        "its times from 4,000,000,000,000.000 to 5,000,000,000,000.000 s cannot be GPS seconds of "
-        "the week, as stated; they fit no known time base; check which column or record is the "
-        "time."
-    )
-    assert contradiction(times, Known(base_of("gps-week"))) == ""
-    assert contradiction(np.array([5.0]), stated) == ""
+    refusal = contradiction(times, stated)
+    assert refusal is not None
+    assert refusal.code == "time_base.no_base_possible"
+    assert (refusal.params["first"], refusal.params["last"]) == (4e12, 5e12)
+    assert contradiction(times, Known(base_of("gps-week"))) is None
+    assert contradiction(np.array([5.0]), stated) is None
 
 
 def test_what_the_trajectory_could_count_instead_is_named() -> None:
     own, track = Known(base_of("gps-adjusted"), stated=True), START + np.arange(0.0, 100.0)
     times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
-    told = (
-        "in adjusted standard GPS time (minus 1e9) (stated) none of its points lies within the "
-        "trajectory, whose times are GPS seconds of the day (as read from the file); "
-    )
     other = Known(base_of("gps-day"))
-    assert nowhere(own, other, times, track) == (
-        f"{told}by their values these could also be GPS seconds of the week or UTC seconds of the "
-        "week, where the points lie inside: make sure what the trajectory counts, and state it "
-        "(--trajectory-option time=gps-week or --trajectory-option time=utc-week)."
-    )
+    options = "--trajectory-option time=gps-week", "--trajectory-option time=utc-week"
+    refusal = nowhere(own, other, times, track)
+    assert refusal.code == "time_base.other_trajectory_base"
+    assert refusal.params == {
+        "base": note("time_base.given", base=note("time_base.gps_adjusted")),
+        "trajectory_base": note("time_base.of_file", base=note("time_base.gps_day")),
+        "options": list(options),
+    }  # fmt: skip
     # Some seconds behind its end: UTC is that much behind
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
-    assert nowhere(own, other, behind, track).endswith(
-        "state it (--trajectory-option time=utc-week)."
-    )
-    told = told.replace("(as read from the file)", "(stated)")
-    assert nowhere(own, Known(other.base, stated=True), times, track) == (
-        f"{told}state the time base that the times are in, or give the trajectory of the same "
-        "survey."
+    assert nowhere(own, other, behind, track).params["options"] == [options[1]]
+    assert nowhere(own, Known(other.base, stated=True), times, track).code == (
+        "time_base.no_overlap"
     )
 
 

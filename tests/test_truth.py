@@ -89,5 +89,6 @@ def beside_truth(project: Project, survey: Survey) -> None:
 
 def test_only_a_simulated_survey_has_a_truth(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    with pytest.raises(ProjectError, match="simulated survey that has been validated"):
+    with pytest.raises(ProjectError) as raised:
         validate_with_truth(replace(project, truth_deg=None), survey)
+    assert raised.value.code == "validate.not_simulated"

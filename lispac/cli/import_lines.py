@@ -6,6 +6,7 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.errors import Cancelled
+from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.workflow.importing import Imported, header_is_damaged
 from lispac.workflow.importing import import_lines as imported_lines
@@ -41,7 +42,7 @@ def import_lines(arguments: Namespace) -> None:
     for item in found:
         _print(item)
     for reason in (item.reason for item in found if item.reason):
-        print(f"note: {reason}", file=sys.stderr)
+        print(f"note: {message_text(reason)}", file=sys.stderr)
     for words in dict.fromkeys(words for item in found for words in item.stored.assumptions):
         print(f"note: {words}", file=sys.stderr)
 

@@ -86,7 +86,7 @@ def sight(
     elif not on_map and farthest > FAR:
         doubts.append(
             f"Points lie up to {farthest:,.0f} from the origin, farther than a vessel's scanner "
-            "sees: check the unit (feet, millimetres?) and the frame."
+            "sees: check the frame and the unit (feet, millimetres?)."
         )
     elif not on_map and away > max(3 * size, 200.0):
         doubts.append(

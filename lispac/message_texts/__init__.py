@@ -11,10 +11,14 @@ from typing import Any
 from lispac.language import N_, Template, text_of
 from lispac.message_texts import (
     adjustment,
+    calibration,
     checking,
     commands,
     importing,
+    importing_steps,
+    output,
     planning,
+    planning_steps,
     point_files,
     program,
     projects,
@@ -24,6 +28,7 @@ from lispac.message_texts import (
     targets,
     text_files,
     trajectories,
+    workflow,
 )
 from lispac.messages import Action, Message, Value
 
@@ -32,10 +37,14 @@ CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
 
 TOPICS = (
     adjustment,
+    calibration,
     checking,
     commands,
     importing,
+    importing_steps,
+    output,
     planning,
+    planning_steps,
     point_files,
     program,
     projects,
@@ -45,6 +54,7 @@ TOPICS = (
     targets,
     text_files,
     trajectories,
+    workflow,
 )
 
 TEXTS: Mapping[str, Template] = {

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message, error, note
 from lispac.survey.time_base import (
     LEAP_SECONDS_NOW,
     Match,
@@ -19,6 +20,20 @@ Array = NDArray[np.float64]
 CLEARLY_MORE = 0.05
 """Part of a line's points that a shift has to bring inside besides those that are, before it is
 offered."""
+
+
+BASES = {
+    "gps-week": "time_base.gps_week",
+    "gps-day": "time_base.gps_day",
+    "utc-day": "time_base.utc_day",
+    "utc-week": "time_base.utc_week",
+    "gps-adjusted": "time_base.gps_adjusted",
+    "gps-full": "time_base.gps_full",
+    "unix": "time_base.unix",
+    "tai": "time_base.tai",
+    "utc-hour": "time_base.utc_hour",
+}
+"""Code of the message that names a time base, by the key of the base."""
 
 
 @dataclass(frozen=True)
@@ -52,9 +67,21 @@ class Known:
         where = "as its values suggest" if self.suggested else "as read from the file"
         return f"{self.base.name} ({where})"
 
+    @property
+    def message(self) -> Message:
+        """Its name and where it is from, as a part of other messages."""
+        if self.base is None:
+            return note("time_base.unknown")
+        name = note(BASES[self.base.key])
+        if self.stated:
+            return note("time_base.given", base=name)
+        if self.suggested:
+            return note("time_base.suggested", base=name)
+        return note("time_base.of_file", base=name)
 
-def contradiction(times: Array, own: Known) -> str:
-    """Why ``times`` cannot be in the base stated for them, without the file; empty where they can.
+
+def contradiction(times: Array, own: Known) -> Message | None:
+    """Why ``times`` cannot be in the base given for them, without the file; None where they can.
 
     Parameters
     ----------
@@ -62,18 +89,12 @@ def contradiction(times: Array, own: Known) -> str:
         Of a line, as its file has them.
     """
     if not own.stated or own.base is None or own.fits(times):
-        return ""
-    fitting = plausible(times)
-    hint = (
-        f"by their values they are {' or '.join(base.name for base in fitting)}: state "
-        f"{' or '.join(base.key for base in fitting)}, or leave it unstated"
-        if fitting
-        else "they fit no known time base; check which column or record is the time"
-    )
-    return (
-        f"its times from {times.min():,.3f} to {times.max():,.3f} s cannot be {own.base.name}, as "
-        f"stated; {hint}."
-    )
+        return None
+    first, last, base = float(times.min()), float(times.max()), note(BASES[own.base.key])
+    fitting = [each.key for each in plausible(times)]
+    if not fitting:
+        return error("time_base.no_base_possible", first=first, last=last, base=base)
+    return error("time_base.not_possible", first=first, last=last, base=base, keys=fitting)
 
 
 def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Match, ...] | None:
@@ -118,7 +139,7 @@ def following_words(found: tuple[Match, ...], own: Known, other: Known) -> str:
     return told
 
 
-def nowhere(own: Known, other: Known, times: Array, track: Array) -> str:
+def nowhere(own: Known, other: Known, times: Array, track: Array) -> Message:
     """That what is stated brings no point onto the trajectory, without the file.
 
     Parameters
@@ -126,26 +147,18 @@ def nowhere(own: Known, other: Known, times: Array, track: Array) -> str:
     times, track : ndarray of shape (n,), seconds
         Of the line and of the trajectory.
     """
-    told = (
-        f"in {own.words} none of its points lies within the trajectory, whose times are "
-        f"{other.words}"
-    )
     others = [] if other.stated or own.base is None else [
         base for base in plausible(track)
         if base is not other.base
         and matches(times, track, point_bases=(own.base,), trajectory_bases=(base,))
     ]  # fmt: skip
     if others:
-        names = " or ".join(base.name for base in others)
-        options = " or ".join(f"--trajectory-option time={base.key}" for base in others)
-        return (
-            f"{told}; by their values these could also be {names}, where the points lie inside: "
-            f"make sure what the trajectory counts, and state it ({options})."
-        )
-    return (
-        f"{told}; state the time base that the times are in, or give the trajectory of the same "
-        "survey."
-    )
+        options = [f"--trajectory-option time={base.key}" for base in others]
+        return error(
+            "time_base.other_trajectory_base", base=own.message, trajectory_base=other.message,
+            options=options,
+        )  # fmt: skip
+    return error("time_base.no_overlap", base=own.message, trajectory_base=other.message)
 
 
 def bringing_more(found: tuple[Match, ...], share: float) -> Match | None:

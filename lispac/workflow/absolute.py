@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.knn import build_tree
+from lispac.message_texts import message_text
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.survey.georeferencing import CALIBRATION
@@ -100,11 +102,11 @@ def check_absolute(
         Where no line has points on it.
     """
     if project.result is None:
-        raise ProjectError(f"{project.name}: there is no estimated boresight yet; estimate first.")
+        raise ProjectError(error("estimate.needed", project=project.name))
     if not 0.0 <= sigma < np.inf:
-        raise InputError(f"The reference sigma must be zero or more, and it is {sigma} m.")
+        raise InputError(error("check.reference_sigma", sigma=sigma))
     if not 0.0 < reach <= 10.0:
-        raise InputError(f"The reach must be more than 0 and at most 10 m, and it is {reach:g} m.")
+        raise InputError(error("check.search_distance", distance=reach))
     reference = read_reference(
         path, project, survey, sigma=sigma, reach=reach, crs=crs, height=height,
         trajectory_datum=trajectory_datum, epoch=epoch, progress=part(progress, 0.0, 0.3),
@@ -116,13 +118,17 @@ def check_absolute(
         progress(0.3 + 0.7 * k / len(clouds), f"Comparing {cloud.line} with {path.name}")
         try:
             lines.append(_compared(project, survey, cloud, where))
-        except NotComparable as error:
-            unseen.append(f"{cloud.line}: {error}")
+        except NotComparable as failure:
+            refusal = note("check.line_not_compared", line=cloud.line, reason=failure.reason)
+            unseen.append(message_text(refusal))
     if not lines:
-        fewest = FEWEST_PLACES[reference.kind]
         raise NotComparable(
-            f"{path}: no line has {'a flat place' if fewest == 1 else f'{fewest} flat places'} "
-            f"within {reach:g} m of this reference; check its coordinates, or widen the reach."
+            error(
+                "check.no_flat_place",
+                file=str(path),
+                count=FEWEST_PLACES[reference.kind],
+                distance=reach,
+            )
         )
     settings = project.settings
     times = settings.position_time, settings.attitude_time
@@ -266,24 +272,16 @@ def _compared(project: Project, survey: Survey, cloud: _Gathered, where: _Where)
     return _placed_by(project, survey, cloud, measured, np.concatenate([g for _, g in found]))
 
 
-def _too_few(where: _Where, count: int, tried: int) -> str:
+def _too_few(where: _Where, count: int, tried: int) -> Message:
     """Why a line is not compared, and what would help."""
-    reach = f"{where.reach:g} m"
     if where.reference.kind == "points":
-        return (
-            f"no surveyed point has a flat place of this line within {reach} before and after the "
-            "calibration; survey points where it is denser, or widen the reach"
-        )
+        return error("check.no_surveyed_point_near", distance=where.reach)
     if not tried:
-        return (
-            f"the reference has no flat place within {reach} of this line; scan what it has seen, "
-            "or widen the reach"
-        )
-    return (
-        f"{count:,} of {tried:,} flat places of the reference within {reach} of this line have "
-        f"enough of its points before and after the calibration, and {FEWEST_PLACES['scan']} must; "
-        "scan more of what it has seen and where it is denser, or widen the reach"
-    )
+        return error("check.no_reference_near", distance=where.reach)
+    return error(
+        "check.few_places", places=count, tried=tried, distance=where.reach,
+        least=FEWEST_PLACES["scan"],
+    )  # fmt: skip
 
 
 def _joined(several: Sequence[NormalDistances]) -> NormalDistances:

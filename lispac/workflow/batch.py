@@ -16,6 +16,7 @@ from lispac.adjustment.shown import plain
 from lispac.errors import InputError, LispacError, NotComparable
 from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Triple
 from lispac.report.options import USUAL, ReportOptions
@@ -121,7 +122,7 @@ def each_row(
         Where there is no such form of report.
     """
     if form not in REPORTS:
-        raise InputError(f"A report is written as {', '.join(REPORTS)}, not as {form}.")
+        raise InputError(error("report.format", formats=tuple(REPORTS), format=form))
     found = projects_in([Path(folder) for folder in folders])
     files = [f"{name}.{form}" for name in _file_names(found)]
     for k, (folder, file) in enumerate(zip(found, files, strict=True)):

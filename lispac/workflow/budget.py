@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.error_budget import DISTANCES, ErrorBudget, SystemErrors, error_budget
 from lispac.errors import InputError, ProjectError
+from lispac.messages import error
 from lispac.project import Project
 from lispac.workflow.survey import Survey
 
@@ -40,9 +41,9 @@ def budget_of(
     """
     result = project.result
     if result is None:
-        raise ProjectError(f"{project.name}: there is no answer yet; estimate first.")
+        raise ProjectError(error("estimate.needed", project=project.name))
     if lever_sigma is not None and not all(0.0 <= each < np.inf for each in lever_sigma):
-        raise InputError("The sigmas of the lever arm must be zero or more; correct them.")
+        raise InputError(error("estimate.lever_arm_sigma"))
     latency = result.mounting.latency
     time = np.concatenate(
         [

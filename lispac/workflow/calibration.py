@@ -13,13 +13,12 @@ from lispac.adjustment.common_parts import common_parts
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.result import AdjustmentResult, CommonPart
-from lispac.adjustment.shown import listed, plain
+from lispac.adjustment.shown import plain
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient
-from lispac.message_texts import message_text
-from lispac.messages import Level
+from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting, place
@@ -90,10 +89,9 @@ def observations_of(
     if not sightings:
         alone = [each.name for each in project.of_role("target") if each.used_sightings]
         raise AdjustmentError(
-            f"No target is used on two lines, so nothing compares them ({', '.join(alone)}); seed "
-            "each on other lines too."
+            error("estimate.no_common_target", targets=alone)
             if alone
-            else f"{project.name}: there is no target to adjust; pick planar targets first."
+            else error("estimate.no_target", project=project.name)
         )
     taken = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
     points = np.concatenate([points for points, _ in taken])
@@ -155,10 +153,7 @@ def _require_two_lines(project: Project) -> None:
         for sighting in target.used_sightings
     }
     if len(lines) == 1:
-        raise RankDeficient(
-            f"All sightings are on line {lines.pop()}: a surface seen once fits any boresight. Add "
-            "lines in other directions over the same targets."
-        )
+        raise RankDeficient(error("estimate.one_line", line=lines.pop()))
 
 
 def with_lidar_noise(observations: Observations, settings: Settings) -> Observations:
@@ -225,11 +220,14 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
     """Names what may be behind an adjustment that has no answer, after the reason that it gives."""
     try:
         yield
-    except (NotConverged, RankDeficient) as error:
+    except (NotConverged, RankDeficient) as failure:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
         alone = [plain(doubt.text) for doubt in single_line_targets(project.targets)]
-        more = [*alone, *(message_text(each) for each in warnings[:MOST_WARNINGS])]
-        raise type(error)(" ".join([str(error), *more])) from None
+        reason = failure.reason
+        causes: list[Message | str] = [*alone, *warnings[:MOST_WARNINGS]]
+        for cause in causes:
+            reason = error("estimate.possible_cause", reason=reason, cause=cause)
+        raise type(failure)(reason) from None
 
 
 def select(
@@ -354,10 +352,7 @@ def _chosen(
         return observations, ()
     observations, parts = common_parts(observations, near)
     if not len(observations):
-        raise AdjustmentError(
-            f"The lines show different parts of every target ({listed([p.target for p in parts])})"
-            ", and these are not flat enough to be one plane; seed surfaces that lines share."
-        )
+        raise AdjustmentError(error("estimate.no_common_part", targets=[p.target for p in parts]))
     return observations, parts
 
 

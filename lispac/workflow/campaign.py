@@ -14,6 +14,7 @@ from typing import Any
 
 from lispac.design.search import Mapper
 from lispac.errors import LispacError
+from lispac.messages import error
 from lispac.workflow.cluster_access import ClusterAccess
 
 CHUNK = 16
@@ -73,11 +74,8 @@ def pool_of(workers: int, *, at_once: int = CHUNK) -> Iterator[Mapper]:
         try:
             chunk = min(chunk_of(len(values), workers), at_once)
             yield from pool.map(function, values, chunksize=chunk)
-        except BrokenProcessPool as error:
-            raise LispacError(
-                "A process of this run ended from outside, perhaps for want of memory; close other "
-                "programs, or use fewer processes (--workers), and start again."
-            ) from error
+        except BrokenProcessPool as failure:
+            raise LispacError(error("plan_survey.process_ended")) from failure
 
     try:
         yield spread

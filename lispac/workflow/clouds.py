@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.las_export import Cloud, Pattern, cloud_file
 from lispac.io.registry import PointChunk
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
@@ -123,7 +124,7 @@ def write_cloud(
     source = iter(chunks)
     first = next(source, None)
     if first is None:
-        raise InputError(f"{path.stem}: this line holds no points; leave it out.")
+        raise InputError(error("export.no_points", line=path.stem))
     chosen = pattern(first)
     place = _Placing(mapping, reading, recovery, most_range)
     pace, total = Pace(f"Writing {path.name}", first.total), first.total
@@ -170,9 +171,13 @@ def write_cloud(
     if not count:
         known = mapping.trajectory.time
         raise InputError(
-            f"{path.stem}: none of its {outside + in_gaps:,} points lies within the trajectory "
-            f"({known[0]:.1f} to {known[-1]:.1f} s); check the date and the time base, or leave "
-            "the line out."
+            error(
+                "export.outside_trajectory",
+                line=path.stem,
+                count=outside + in_gaps,
+                start=float(known[0]),
+                end=float(known[-1]),
+            )
         )
     return Written(path, count, outside, in_gaps, excluded, chosen.notes)
 

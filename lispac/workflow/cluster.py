@@ -20,6 +20,7 @@ from typing import Any
 from lispac import __version__
 from lispac.design.search import Mapper
 from lispac.errors import LispacError
+from lispac.messages import error
 from lispac.workflow.campaign import chunk_of
 from lispac.workflow.cluster_access import ClusterAccess
 
@@ -60,11 +61,8 @@ def cluster_of(access: ClusterAccess | str) -> Iterator[Mapper]:
     address = access.url
     try:
         import distributed
-    except ImportError as error:
-        raise LispacError(
-            "Campaigns on several machines need the package distributed: python -m pip install -e "
-            "'.[cluster]' in the checkout, on this machine and on the workers."
-        ) from error
+    except ImportError as failure:
+        raise LispacError(error("cluster.not_installed")) from failure
     security = access.security()
     with _silence():
         _greet(address, security)
@@ -109,11 +107,10 @@ def _greet(address: str, security: Any) -> None:
 
     try:
         asyncio.run(greeted())
-    except Exception as error:  # whatever another program's answer leads to
+    except Exception as failure:  # whatever another program's answer leads to
         raise LispacError(
-            f"{address}: no scheduler answers there within {CONNECT:g} s; start one with "
-            "`dask scheduler`, and mind the address it prints and the firewall."
-        ) from error
+            error("cluster.no_scheduler", address=address, limit=CONNECT)
+        ) from failure
 
 
 class _Cluster:
@@ -133,17 +130,30 @@ class _Cluster:
         try:  # one that was lost is perhaps being started again
             self.client.wait_for_workers(1, timeout=WORKERS)
         except TimeoutError:
-            raise LispacError(
-                f"{self.address}: the scheduler has no workers; start one on each machine with "
-                f"`dask worker {self.address} --nworkers auto --nthreads 1`."
-            ) from None
+            raise LispacError(error("cluster.no_workers", address=self.address)) from None
         try:  # it reads every chunk before it hands it on
             found = self.client.run_on_scheduler(_version)
-        except Exception as error:
-            found = error
-        _same_version(f"The scheduler {self.address}", found)
+        except Exception as failure:
+            found = failure
+        if isinstance(found, str):
+            _require_version("cluster.scheduler_version", found, address=self.address)
+        else:
+            raise LispacError(
+                error(
+                    "cluster.scheduler_without_version", address=self.address, reason=str(found),
+                    expected=__version__,
+                )
+            )  # fmt: skip
         for worker, found in self.client.run(_version, on_error="return").items():
-            _same_version(f"The worker {worker}", found)
+            if isinstance(found, str):
+                _require_version("cluster.worker_version", found, address=worker)
+            else:
+                raise LispacError(
+                    error(
+                        "cluster.worker_without_version", address=worker, reason=str(found),
+                        expected=__version__,
+                    )
+                )  # fmt: skip
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
         """The answers in the order of the values, each as soon as those before it are there."""
@@ -205,20 +215,24 @@ class _Cluster:
 
         answer = None
         with self._talk():
-            error = self._asked(sent.future.exception)
-            if error is None:
+            lost = self._asked(sent.future.exception)
+            if lost is None:
                 # Its worker may have been lost since: others do it again, or are lost by it, too
                 try:
                     answer = list(self._asked(sent.future.result))
-                except distributed.scheduler.KilledWorker as lost:
-                    error = lost
-        if error is not None and not isinstance(error, distributed.scheduler.KilledWorker):
-            raise error
+                except distributed.scheduler.KilledWorker as killed:
+                    lost = killed
+        if lost is not None and not isinstance(lost, distributed.scheduler.KilledWorker):
+            raise lost
         self._forget(sent)
-        if error is not None and sent.times >= SENDINGS:
+        if lost is not None and sent.times >= SENDINGS:
             raise LispacError(
-                f"{self.address}: the same {len(sent.chunk)} calculations lost their worker again "
-                "and again; it has too little memory, or is stopped from outside."
+                error(
+                    "cluster.worker_lost_repeatedly",
+                    address=self.address,
+                    count=len(sent.chunk),
+                    times=SENDINGS,
+                )
             )
         return answer
 
@@ -238,9 +252,7 @@ class _Cluster:
                     raise self._gone() from None
 
     def _gone(self) -> LispacError:
-        return LispacError(
-            f"{self.address}: all workers are gone; start them and the campaign again."
-        )
+        return LispacError(error("cluster.no_workers_left", address=self.address))
 
     def _workers(self) -> int:
         """Threads of all workers there are now."""
@@ -259,11 +271,8 @@ class _Cluster:
             yield
         except (
             OSError, TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError,
-        ) as error:  # fmt: skip
-            raise LispacError(
-                f"{self.address}: the connection to the scheduler or its workers was lost; start "
-                "the campaign again."
-            ) from error
+        ) as failure:  # fmt: skip
+            raise LispacError(error("cluster.connection_lost", address=self.address)) from failure
 
     def _forget(self, sent: "_Sent") -> None:
         sent.future.release()
@@ -304,8 +313,8 @@ def _version() -> str:
     return __version__
 
 
-def _same_version(who: str, found: object, wanted: str = "") -> None:
-    """Refuse another version than the one that is wanted, which is this one where none is said.
+def _require_version(code: str, found: str, wanted: str = "", *, address: str = "") -> None:
+    """Refuse another version than ``wanted``, by default this one, by the message ``code``.
 
     Raises
     ------
@@ -313,12 +322,11 @@ def _same_version(who: str, found: object, wanted: str = "") -> None:
     """
     wanted = wanted or __version__
     if found != wanted:
-        has = f"LISPAC {found}" if isinstance(found, str) else f"no LISPAC that answers ({found})"
-        raise LispacError(f"{who} has {has}, and this is {wanted}: install the same everywhere.")
+        raise LispacError(error(code, version=found, expected=wanted, address=address))
 
 
 def _answers(function: Callable[[Any], Any], version: str, values: Sequence[Any]) -> list[Any]:
     """On the worker: the answers to a chunk."""
-    _same_version("A worker that came later", __version__, version)
+    _require_version("cluster.late_worker_version", __version__, version)
     with _ONE_AT_A_TIME:
         return [function(value) for value in values]

@@ -12,6 +12,7 @@ from typing import Any
 from lispac.errors import LispacError
 from lispac.io.files import require_file
 from lispac.io.values import in_one_line
+from lispac.messages import error
 
 ADDRESS = re.compile(r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
 
@@ -51,19 +52,12 @@ class ClusterAccess:
         """
         found = ADDRESS.fullmatch(self.address)
         if found is None:
-            raise LispacError(
-                f"{self.address}: not the address of a scheduler; it is written tls://HOST:PORT, "
-                "for example tls://192.168.1.20:8786."
-            )
+            raise LispacError(error("cluster.bad_address", address=self.address))
         here = is_this_computer(found["host"].strip("[]"))
         protocol = found["protocol"] or ("tcp" if here else "tls")
         url = self.address if found["protocol"] else f"{protocol}://{self.address}"
         if protocol == "tcp" and not here and not self.plain_tcp:
-            raise LispacError(
-                f"{url}: TCP is neither encrypted nor authenticated, so others in the network "
-                "could run programs on this computer and on the workers. Use TLS certificates and "
-                "tls://, or accept the risk with --plain-tcp."
-            )
+            raise LispacError(error("cluster.plain_tcp_refused", address=url))
         return url
 
     @property
@@ -96,17 +90,15 @@ class ClusterAccess:
                 tls_client_key=key,
             )  # fmt: skip
         if not settings.tls_ca_file or not settings.tls_client_cert:
-            raise LispacError(
-                f"{self.url}: TLS needs certificates; give them with --cluster-tls CA CERTIFICATE "
-                "KEY, or in dask's configuration."
-            )
+            raise LispacError(error("cluster.no_certificates", address=self.url))
         try:
             settings.get_connection_args("client")
-        except (OSError, ValueError) as error:  # ssl.SSLError is an OSError
+        except (OSError, ValueError) as failure:  # ssl.SSLError is an OSError
             raise LispacError(
-                f"{self.url}: its TLS certificates cannot be used ({in_one_line(error)}); check "
-                "the files of the authority, the certificate and the key."
-            ) from error
+                error(
+                    "cluster.unusable_certificates", address=self.url, reason=in_one_line(failure)
+                )
+            ) from failure
         return settings
 
 

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import Message, error
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
 
@@ -58,33 +59,50 @@ def away(places: Array, trajectory: LocalTrajectory) -> Array:
     return distances
 
 
-def too_far(point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory) -> str:
-    """What is wrong with coordinates that no target of the survey can have; empty where nothing.
+def too_far(
+    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str
+) -> Message | None:
+    """What is wrong with coordinates that no target of the survey can have; None where nothing.
 
     Parameters
     ----------
     point : ndarray of shape (3,), local frame
         As one of `local_places`.
+    name : str
+        Of the target, file or row that has the coordinates.
     """
     distance = float(away(local_places(point, system, trajectory), trajectory)[0])
     if distance <= FARTHEST:
-        return ""
-    first, second, _ = axes_of(system)
-    where = "the local frame" if system is None else system.name
-    if not np.isfinite(distance):
-        said = f"they lie outside {where}"
-    else:
-        said = f"in {where} they are {distance / 1000:,.0f} km from the trajectory"
+        return None
+    values = " ".join(f"{value:g}" if abs(value) < 1e6 else f"{value:.1f}" for value in point)
     swapped = local_places(point[[1, 0, 2]], system, trajectory)
-    if float(away(swapped, trajectory)[0]) <= FARTHEST:
-        return f"{said}; {first} comes first, then {second}: exchange the two"
+    is_swapped = float(away(swapped, trajectory)[0]) <= FARTHEST
+    outside = not np.isfinite(distance)
     if system is None:
-        return f"{said}; give metres north, west and up from its origin, or a coordinate system"
-    return f"{said}; check the coordinate system and the order of the numbers"
+        if is_swapped:
+            return error("coordinates.swapped_local", name=name, values=values)
+        if outside:
+            return error("coordinates.outside_local", name=name, values=values)
+        return error("coordinates.too_far_local", name=name, values=values, distance=distance)
+    if is_swapped:
+        return error(SWAPPED[axes_of(system)[0]], name=name, values=values, system=system.name)
+    if outside:
+        return error("coordinates.outside_system", name=name, values=values, system=system.name)
+    return error(
+        "coordinates.too_far", name=name, values=values, system=system.name, distance=distance
+    )
+
+
+SWAPPED = {
+    "longitude": "coordinates.swapped_geographic",
+    "X": "coordinates.swapped_geocentric",
+    "easting": "coordinates.swapped_projected",
+}
+"""Code of the message that the first two coordinates are exchanged, by the first of `axes_of`."""
 
 
 def require_near(
-    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, what: str
+    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str
 ) -> Array:
     """The place of coordinates in the local frame, shape (3,), metres.
 
@@ -92,14 +110,15 @@ def require_near(
     ----------
     point : ndarray of shape (3,)
         In ``system``; north, west, up in metres where that is None.
+    name : str
+        Of the target, file or row that has them.
 
     Raises
     ------
     InputError
-        Where it is too far away; ``what`` begins the sentence.
+        Where it is too far away.
     """
-    if said := too_far(point, system, trajectory):
-        numbers = " ".join(f"{value:g}" if abs(value) < 1e6 else f"{value:.1f}" for value in point)
-        raise InputError(f"{what}: the coordinates {numbers} cannot be used: {said}.")
+    if refusal := too_far(point, system, trajectory, name):
+        raise InputError(refusal)
     place: Array = local_places(point, system, trajectory)[0]
     return place

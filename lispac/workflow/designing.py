@@ -19,12 +19,10 @@ from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
 from lispac.message_texts import message_text
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
-ONE_WAY = (
-    "All targets face the same way, and the adjustment refuses that: add a target of another "
-    "inclination."
-)
+ONE_WAY = error("plan_survey.one_orientation")
 
 NEAR_WALL = 3.0
 """Metres: a vessel's half width, its helmsman and its wash want more."""
@@ -34,13 +32,13 @@ def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]
     """What the geometry of a plan sees, in sentences, as after an adjustment."""
     try:
         if faces_one_way(plan):
-            return (ONE_WAY,)
+            return (message_text(ONE_WAY),)
         if not predict(plan).determined:
             return (message_text(UNDETERMINED),)
         with one_thread():
             return observability(foretold(plan), progress=progress).sentences
-    except RankDeficient as error:
-        return (str(error),)
+    except RankDeficient as failure:
+        return (str(failure),)
 
 
 def many_surveys(
@@ -164,6 +162,12 @@ def _made(folder: Path) -> Path:
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise LispacError(f"{folder}: this folder cannot be made ({error.strerror}).") from error
+    except OSError as failure:
+        raise LispacError(
+            error(
+                "plan_survey.folder_not_created",
+                folder=str(folder),
+                reason=failure.strerror or str(failure),
+            )
+        ) from failure
     return folder

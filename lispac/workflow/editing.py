@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import PlaneNotFound, ProjectError
 from lispac.geometry.planes import fit_plane, rms_distance
 from lispac.geometry.spheres import fit_sphere, rms_from_sphere
+from lispac.messages import error
 from lispac.project import PickedSighting, Target
 from lispac.survey.cloud import Cloud
 
@@ -45,8 +46,9 @@ def without_points(
         kept = sighting.indices[~chosen(cloud[sighting.indices])]
         if len(kept) < min(FEWEST, len(sighting.indices)):
             raise ProjectError(
-                f"{target.name} on {sighting.line} would keep {len(kept)} points only; untick the "
-                "sighting in the table instead."
+                error(
+                    "edit.few_points_left", target=target.name, line=sighting.line, count=len(kept)
+                )
             )
         return kept
 
@@ -108,5 +110,7 @@ def _rms(target: Target, points: Array) -> float:
         return rms_from_sphere(fit_sphere(points, target.sphere_radius), points)
     try:
         return rms_distance(fit_plane(points), points)
-    except PlaneNotFound as error:
-        raise ProjectError(f"{target.name}: what would be left is no surface. {error}") from None
+    except PlaneNotFound as failure:
+        raise ProjectError(
+            error("edit.no_surface_left", target=target.name, reason=failure.reason)
+        ) from None

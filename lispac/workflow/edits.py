@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.project import Project, Role
 
 
@@ -40,9 +41,9 @@ def with_name(project: Project, old: str, new: str) -> Project:
     """
     new = new.strip()
     if not new:
-        raise ProjectError(f"A target needs a name; {old} keeps its own.")
+        raise ProjectError(error("edit.no_name", target=old))
     if any(target.name == new for target in project.targets if target.name != old):
-        raise ProjectError(f"There is a {new} already; give {old} another name.")
+        raise ProjectError(error("edit.name_taken", name=new, target=old))
     names = [target.name for target in project.targets]
     # The edit itself tells which results no longer hold; only the order is put back.
     edited = project.without_target(old).with_target(replace(project.target(old), name=new))

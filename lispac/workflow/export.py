@@ -10,7 +10,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.files import written_whole
 from lispac.message_texts import message_text
-from lispac.messages import Level
+from lispac.messages import Level, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
@@ -86,9 +86,7 @@ def write_report(
     """
     ending = path.suffix.lower()
     if ending not in REPORT_ENDINGS:
-        raise InputError(
-            f"{path}: a report is written as {', '.join(REPORT_ENDINGS)}; end its name so."
-        )
+        raise InputError(error("report.ending", file=str(path), formats=REPORT_ENDINGS))
     progress(0.0, "Collecting the report")
     content = content_of(
         project, survey, generated=generated, convention=options.convention,

@@ -25,6 +25,7 @@ from lispac.io.text_export import (
     write_table,
     write_trajectory_text,
 )
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
@@ -124,10 +125,10 @@ def export_planes(
     mounting = project.mounting(which)
     spheres = [name for name in names if project.target(name).shape == "sphere"]
     if spheres:
-        raise ProjectError(f"{spheres[0]}: a sphere does not go into a plane file; leave it out.")
+        raise ProjectError(error("export.sphere", target=spheres[0]))
     targets = [t for t in _targets(project, names) if t.shape == "plane"]
     if not targets:
-        raise ProjectError(f"{project.name}: there is no planar target to export; pick one first.")
+        raise ProjectError(error("export.no_planar_target", project=project.name))
     paths = [output / f"{target.name}_{which}.txt" for target in targets]
     require_other_files(project, paths)
     with ExitStack() as stack:
@@ -167,7 +168,7 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
         Where the trajectory cannot be read or the file not be written.
     """
     if output.exists() and output.samefile(project.trajectory):
-        raise InputError(f"{output}: this is the survey's own trajectory; choose another name.")
+        raise InputError(error("export.own_trajectory", file=str(output)))
     require_other_files(project, [output])
     trajectory = read_trajectory(project.trajectory, project.trajectory_reading)
     if form == "sbet":
@@ -205,7 +206,7 @@ def _targets(project: Project, names: Sequence[str]) -> list[Target]:
     chosen = [project.target(name) for name in names] or list(project.targets)
     found = [target for target in chosen if target.sightings]
     if not found:
-        raise ProjectError(f"{project.name}: there is no target to export; pick one first.")
+        raise ProjectError(error("export.no_target", project=project.name))
     return found
 
 

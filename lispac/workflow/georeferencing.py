@@ -13,6 +13,7 @@ from lispac.io.files import require_file, written_whole
 from lispac.io.las_export import Pattern, pattern_of_las
 from lispac.io.points import CHUNK
 from lispac.io.registry import PointChunk
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
@@ -156,7 +157,7 @@ def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
     for name in names:
         if name not in known:
             raise ProjectError(
-                f"{project.name}: there is no line {name}; the lines are {', '.join(known)}."
+                error("project_line.not_found", project=project.name, line=name, lines=tuple(known))
             )
     found = [line for name, line in known.items() if not names or name in names]
     for line in found:
@@ -202,9 +203,7 @@ def require_other_files(project: Project, paths: Sequence[Path]) -> None:
         own.append(project.accuracy)
     for path in paths:
         if any(path.exists() and other.exists() and path.samefile(other) for other in own):
-            raise InputError(
-                f"{path}: this is a file of the survey itself; choose another name or folder."
-            )
+            raise InputError(error("export.own_file", file=str(path)))
 
 
 def _missing_folders(folder: Path) -> list[Path]:

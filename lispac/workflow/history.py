@@ -10,6 +10,8 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
+from lispac.message_texts import message_text
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.validation.control_chart import Charted, control_chart
@@ -86,14 +88,11 @@ def projects_in(folders: Sequence[Path]) -> list[Path]:
     found: dict[Path, None] = {}
     for folder in folders:
         if not folder.is_dir():
-            raise ProjectError(f"{folder}: there is no such folder.")
+            raise ProjectError(error("history.no_folder", folder=str(folder)))
         for file in sorted(folder.rglob("project.json")):
             found[file.parent] = None
     if not found:
-        named = ", ".join(str(folder) for folder in folders)
-        raise ProjectError(
-            f"{named}: there is no project in it; name a folder that holds projects."
-        )
+        raise ProjectError(error("history.no_project", folders=[str(folder) for folder in folders]))
     return list(found)
 
 
@@ -125,33 +124,31 @@ def histories(
     open_ones = {project.folder.resolve(): project for project in also}
     paths = [path for path in projects_in(folders) if path.resolve() not in open_ones]
     known: list[tuple[date, Project]] = []
-    remarks: list[str] = []
+    excluded: list[Message | str] = []
     projects = list(open_ones.values())
     for k, path in enumerate(paths):
         progress(k / len(paths), f"Reading {path.name}")
         try:
             projects.append(open_project(path))
-        except LispacError as error:
-            remarks.append(f"Left out: {error}")
+        except LispacError as failure:
+            excluded.append(failure.reason)
     for project in projects:
         day = _day_of(project)
         if vessel is not None and _key(project.identity.vessel) != _key(vessel):
             continue
         if project.result is None:
-            remarks.append(f"Left out: {project.name} has no answer yet.")
+            excluded.append(note("history.no_result", project=project.name))
         elif day is None:
-            stated = project.identity.dates
-            why = (
-                f"its dates ({stated}) hold no day like 2026-03-04" if stated else "it has no date"
-            )
-            remarks.append(
-                f"Left out: {project.name}: {why}; lispac identity {project.name} --dates, or "
-                "Details for the report, gives it one."
+            dates = project.identity.dates
+            excluded.append(
+                note("history.no_day", project=project.name, dates=dates)
+                if dates
+                else note("history.no_date", project=project.name)
             )
         else:
             known.append((day, project))
     if not known:
-        raise ProjectError(" ".join([_nothing(vessel), *remarks]))
+        raise ProjectError(_nothing(vessel, excluded))
     # Of two on the same lines the one that is open counts.
     known.sort(
         key=lambda each: (
@@ -167,7 +164,8 @@ def histories(
         group.append(each)
     found = sorted((_history(group) for group in groups), key=lambda each: -len(each.entries))
     progress(1.0, f"{len(known)} calibrations of {len(found)} systems")
-    return tuple(found), tuple(remarks)
+    remarks = tuple(message_text(note("history.excluded", reason=each)) for each in excluded)
+    return tuple(found), remarks
 
 
 def verdict(entry: Entry) -> str:
@@ -244,9 +242,14 @@ def _day_of(project: Project) -> date | None:
     return day_in(project.identity.dates or survey_dates(project))
 
 
-def _nothing(vessel: str | None) -> str:
-    of = "" if vessel is None else f" of {vessel}"
-    return f"There is no calibration{of} with an answer and a date in these folders."
+def _nothing(vessel: str | None, excluded: Sequence[Message | str]) -> Message:
+    """That no calibration was found, and why projects are not used."""
+    found = error("history.none") if vessel is None else error(
+        "history.none_of_vessel", vessel=vessel
+    )  # fmt: skip
+    for each in excluded:
+        found = error("history.none_and_excluded", reason=found, excluded=each)
+    return found
 
 
 def _key(text: str) -> str:

@@ -17,8 +17,7 @@ from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
 from lispac.io.values import encoded
-from lispac.message_texts import message_text
-from lispac.messages import Message
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
@@ -51,13 +50,13 @@ class Imported:
     stored : StoredLine
     seconds : float
         That the import took; 0 where the line was imported already.
-    reason : str
-        Why it was imported again without being asked for, in words; empty where it was not.
+    reason : Message or None
+        That it was imported again without being asked for, and why.
     """
 
     stored: StoredLine
     seconds: float
-    reason: str = ""
+    reason: Message | None = None
 
 
 def import_lines(
@@ -86,7 +85,9 @@ def import_lines(
     known = {line.name: line for line in project.lines}
     for name in names:
         if name not in known:
-            raise ProjectError(f"{project.name}: there is no line named {name}.")
+            raise ProjectError(
+                error("project_line.not_found", project=project.name, line=name, lines=tuple(known))
+            )
     lines = [known[name] for name in (names or known)]
     progress(0.0, f"Reading {project.trajectory.name}")
     trajectory, _ = local_trajectory(project)
@@ -119,18 +120,21 @@ def import_line(
     ProjectError
         As `import_lines`.
     """
-    folder, reason = line_folder(project, line), ""
+    folder = line_folder(project, line)
+    reason: Message | None = None
     if not again:
         try:
             return Imported(stored_line(project, line, trajectory, progress=progress), 0.0)
-        except ProjectError as error:  # damaged or made from something else: it is made now
+        except ProjectError as failure:  # damaged or made from something else: it is made now
             if (folder / MANIFEST).exists():
-                reason = f"{line.name} was imported again: {_without_remedy(error)}"
+                reason = note("import.repeated", line=line.name, reason=damage_of(failure))
                 if not line.path.exists():
                     raise InputError(
-                        f"{line.path}: there is no such line file, and {line.name} has to be "
-                        f"imported again: {_without_remedy(error).rstrip('.')}; bring it back."
-                    ) from error
+                        error(
+                            "import.file_missing", file=str(line.path), line=line.name,
+                            reason=failure.reason,
+                        )
+                    ) from failure  # fmt: skip
     require_file(line.path, "line")
     mounting = project.mounting("prior")
     started = time.monotonic()
@@ -186,14 +190,6 @@ def header_is_damaged(stored: StoredLine) -> bool:
     return kept and kept_header(stored) is None
 
 
-def _without_remedy(error: ProjectError) -> str:
-    """What was wrong, where it is mended already."""
-    damage = damage_of(error)
-    if isinstance(damage, Message):
-        return message_text(damage)
-    return re.sub(r"; import (it|the line) again\.$", "", damage)
-
-
 def stored_line(
     project: Project,
     line: LineSource,
@@ -213,27 +209,31 @@ def stored_line(
     """
     stored = open_store(line_folder(project, line), line.name, progress=progress)
     made_with = _made_with(line, trajectory, project.mounting("prior"))
-    changed = [
-        CHANGES[name] for name, value in made_with.items()
-        if stored.manifest.made_with.get(name) != value
-    ]  # fmt: skip
-    if changed:
-        raise ProjectError(
-            f"{line.name}: {' and '.join(changed)} changed since it was imported; import it again."
-        )
+    refusal: Message | None = None
+    for name, value in made_with.items():
+        if stored.manifest.made_with.get(name) != value:
+            change = error(CHANGES[name], line=line.name)
+            if refusal is None:
+                refusal = change
+            else:
+                refusal = error("import.also_changed", first=refusal, reason=change)
+    if refusal is not None:
+        raise ProjectError(refusal)
     try:
         same = stored.is_of(line.path)
     except FileNotFoundError:  # the store needs its file no more
         same = line.path.name == Path(stored.manifest.original.path).name
-    except OSError as error:
+    except OSError as failure:
         raise InputError(
-            f"{line.path}: the file of {line.name} cannot be read ({error.strerror or error}), so "
-            "nothing tells whether it is still what was imported; bring it back, or take it away."
-        ) from error
+            error(
+                "import.file_unreadable",
+                file=str(line.path),
+                line=line.name,
+                reason=failure.strerror or str(failure),
+            )
+        ) from failure
     if not same:
-        raise ProjectError(
-            f"{line.name}: {line.path} has changed since it was imported; import it again."
-        )
+        raise ProjectError(error("import.file_changed", line=line.name, file=str(line.path)))
     tidy(stored.folder, stored.manifest)
     return stored
 
@@ -252,11 +252,11 @@ RESERVED = {"con", "prn", "aux", "nul", *(f"{p}{k}" for p in ("com", "lpt") for 
 
 
 CHANGES = {
-    "reading": "how its file is read",
-    "columns": "the names of its columns",
-    "trajectory": "the trajectory, its origin or its longest gap",
-    "recovered_with": "the prior mounting that brings it back to the scanner",
-    "latency": "the latency",
+    "reading": "import.reading_changed",
+    "columns": "import.columns_changed",
+    "trajectory": "import.trajectory_changed",
+    "recovered_with": "import.mounting_changed",
+    "latency": "import.latency_changed",
 }
 
 
@@ -311,13 +311,7 @@ class _Source:
         path, then = self._points.line.path, self._original
         try:
             now = path.stat()
-        except OSError as error:
-            raise InputError(
-                f"{path}: the file went away while it was imported; bring it back and import it "
-                "again."
-            ) from error
+        except OSError as failure:
+            raise InputError(error("import.file_removed", file=str(path))) from failure
         if (now.st_size, now.st_mtime_ns) != (then.size, then.modified):
-            raise InputError(
-                f"{path}: the file changed while it was imported; import it again when nothing "
-                "writes to it."
-            )
+            raise InputError(error("import.file_being_written", file=str(path)))

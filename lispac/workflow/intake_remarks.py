@@ -301,7 +301,7 @@ def time_remarks(entry: Entry, track: Trajectory, longest_gap: float, known: Kno
     own, base = line_base(entry), known.base
     if wrong := contradiction(times.sample, own):
         back = Remedy("Take it back", option=("time_base", ""))
-        return [Remark("error", f"{wrong[:1].upper()}{wrong[1:]}", (back, LEAVE_OUT))]
+        return [Remark("error", message_text(wrong), (back, LEAVE_OUT))]
     if entry.follows:
         told = _stated_remarks(entry, times, track, own, known)
     else:

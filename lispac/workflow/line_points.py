@@ -17,7 +17,7 @@ from lispac.errors import InputError
 from lispac.io.cloud_record import CloudRecord
 from lispac.io.points import require_times, system_of
 from lispac.io.registry import Choice, PointChunk
-from lispac.messages import Level, Message
+from lispac.messages import Level, Message, error
 from lispac.project import LineSource
 from lispac.survey.audit_messages import has_several_scanners
 from lispac.survey.georeferencing import Mounting
@@ -170,7 +170,7 @@ class LinePoints:
             used += len(piece)
             yield piece
         if not used:
-            raise InputError(f"{self.line.path}: {self._why_empty(read)}")
+            raise InputError(self._why_empty(read))
         times = np.concatenate(self._times)
         require_times(float(np.nanmin(times)), float(np.nanmax(times)), read, self.line.path)
         if not self._far_copies and self._screen.result().repeated > FEW_COPIES:
@@ -266,21 +266,21 @@ class LinePoints:
         times = np.concatenate(self._times) if self._times else np.zeros(0)
         return offered(self.line.reading, times[np.isfinite(times)], self.trajectory.time)
 
-    def _why_empty(self, read: int) -> str:
-        """Why no point can be used, without the file."""
+    def _why_empty(self, read: int) -> Message | str:
+        """Why no point can be used."""
+        path = self.line.path
         if not read:
-            return "this line holds no points; leave it out."
+            return error("import.no_points", file=str(path))
         audit = self.audit
         times = np.concatenate(self._times)
         times = times[np.isfinite(times)]
         if self._without_pose and len(times):
-            return outside(self.line.reading, times, self.trajectory.time)
-        return (
-            f"none of its {read:,} points can be used: {audit.not_finite:,} are not numbers, "
-            f"{audit.no_range:,} have no range, {audit.too_far:,} are too far, "
-            f"{audit.withheld:,} are withheld, {audit.of_classes + audit.not_selected:,} are not "
-            "selected; check the options of the line or export it again."
-        )
+            return outside(self.line.reading, times, self.trajectory.time, path)
+        return error(
+            "import.no_usable_point", file=str(path), count=read, not_finite=audit.not_finite,
+            no_range=audit.no_range, too_far=audit.too_far, withheld=audit.withheld,
+            not_selected=audit.of_classes + audit.not_selected,
+        )  # fmt: skip
 
 
 def read_chunks(chunks: Any) -> Iterator[PointChunk]:

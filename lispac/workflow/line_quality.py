@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -154,7 +155,7 @@ def line_quality(
         Where nothing has been estimated and that is wanted.
     """
     if not 0.0 < reach <= 10.0:
-        raise InputError(f"The reach must be more than 0 and at most 10 m, and it is {reach:g} m.")
+        raise InputError(error("check.search_distance", distance=reach))
     clouds = survey.placed(project, which)
     points = {name: _finite(cloud) for name, cloud in clouds.items()}
     pairs = list(combinations(points, 2))
@@ -169,13 +170,10 @@ def line_quality(
                     noise=project.settings.lidar_sigma, reach=reach,
                 )
             )  # fmt: skip
-        except NotComparable as error:
-            missed.append(str(error))
+        except NotComparable as failure:
+            missed.append(str(failure))
     if not found:
-        raise NotComparable(
-            f"{project.name}: no two lines share a flat place within {reach:g} m of each other; "
-            "widen the reach, or add lines over the same scene."
-        )
+        raise NotComparable(error("check.no_common_place", project=project.name, distance=reach))
     progress(1.0, f"Compared {len(found)} pairs of lines")
     return LineQuality(which, tuple(found), tuple(missed))
 

@@ -18,6 +18,7 @@ from lispac.caches import MANUAL, MANUAL_MARK, cache_place
 from lispac.errors import InputError
 from lispac.installed import resource
 from lispac.language import LANGUAGES
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
 SHIPPED = "html"
@@ -81,8 +82,7 @@ def build(
     missing = [name for module, name in BUILDERS.items() if not importlib.util.find_spec(module)]
     if missing:
         raise InputError(
-            f"The manual cannot be built here, since {' and '.join(missing)} is not installed; "
-            f"start the program with installer/bootstrap.py run, or read the texts in {sources}."
+            error("manual.not_installed", count=len(missing), packages=missing, folder=str(sources))
         )
     for k, language in enumerate(LANGUAGES):
         progress(k / len(LANGUAGES), f"building the pages in {LANGUAGES[language]}")
@@ -109,10 +109,7 @@ def _run(command: list[str], progress: Progress) -> None:
                 raise
         if process.returncode != 0:
             said.seek(0)
-            raise InputError(
-                f"The manual could not be built ({said.read().strip()}); "
-                "read its texts in the folder resources/manual, and report this."
-            )
+            raise InputError(error("manual.not_built", reason=said.read().strip()))
 
 
 def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
@@ -133,11 +130,10 @@ def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
                 draft.rename(built)
         finally:
             shutil.rmtree(draft, ignore_errors=True)
-    except OSError as error:
+    except OSError as failure:
         raise InputError(
-            f"{place}: the manual cannot be written there ({error.strerror or error}); make room, "
-            "or choose another cache folder in the settings."
-        ) from error
+            error("manual.not_writable", folder=str(place), reason=failure.strerror or str(failure))
+        ) from failure
     for former in place.iterdir():
         if former.is_dir() and former != built and not former.name.startswith(".draft-"):
             shutil.rmtree(former, ignore_errors=True)

@@ -12,10 +12,13 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.store.layout import is_imported
 from lispac.workflow.importing import line_folder
 
+MOST_NAMED = 3
+"""Missing files that a message names."""
 MOST_LOOKED_AT = 20_000
 """Files and folders; a whole disk would be looked through for minutes."""
 
@@ -45,10 +48,13 @@ def with_files_in(project: Project, folder: Path) -> Project:
     rest = {path for path in gone if path not in found}
     found |= _by_name_alone(rest, folder) if rest else {}
     if gone and not found:
+        few = len(gone) <= MOST_NAMED
         raise InputError(
-            f"{folder}: none of the missing files is in this folder or in one below it "
-            f"({_named(gone)}); choose the folder that they are in now."
-        )
+            error(
+                "project_files.none_found" if few else "project_files.none_of_many_found",
+                folder=str(folder), count=len(gone), files=_names(gone),
+            )
+        )  # fmt: skip
     return _pointing(project, found)
 
 
@@ -93,19 +99,18 @@ def require_files(project: Project) -> None:
     if first is None:
         return
     if not more:
-        raise InputError(
-            f"{first}: there is no such file; bring it back, or say where it is now: lispac "
-            "locate, or open the project in the window."
-        )
+        raise InputError(error("project_files.one_missing", file=str(first)))
+    few = len(more) <= MOST_NAMED
     raise InputError(
-        f"{first}: there is no such file, nor {_named(more)}; bring them back, or say where they "
-        "are now: lispac locate, or open the project in the window."
-    )
+        error(
+            "project_files.several_missing" if few else "project_files.many_missing",
+            file=str(first), count=len(more), others=_names(more),
+        )
+    )  # fmt: skip
 
 
-def _named(gone: Sequence[Path]) -> str:
-    names = ", ".join(path.name for path in gone[:3])
-    return names if len(gone) <= 3 else f"{names}, and {len(gone) - 3} more"
+def _names(paths: Sequence[Path]) -> list[str]:
+    return [path.name for path in paths[:MOST_NAMED]]
 
 
 def _by_its_end(path: Path, folder: Path) -> Path | None:

@@ -1,8 +1,11 @@
 """What is offered for a line of which points lie outside the trajectory."""
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message, error
 from lispac.project import Reading
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import TimeBase, base_of, matches, plausible, sentence
@@ -12,8 +15,8 @@ from lispac.survey.time_stated import CLEARLY_MORE, offer
 Array = NDArray[np.float64]
 
 
-def outside(reading: Reading, times: Array, track: Array) -> str:
-    """That a line has no point on the trajectory and what to do, without the file.
+def outside(reading: Reading, times: Array, track: Array, file: Path) -> Message | str:
+    """That a line has no point on the trajectory and what to do.
 
     Parameters
     ----------
@@ -23,22 +26,24 @@ def outside(reading: Reading, times: Array, track: Array) -> str:
         Of the line, as it is read.
     track : ndarray of shape (m,), seconds, increasing
         Of the trajectory.
+    file : Path
+        Of the line.
     """
-    first, last = times.min(), times.max()
+    first, last = float(times.min()), float(times.max())
     if not reading.time_shift:
         some, bases = times[:: max(1, len(times) // 1000)], _bases(reading, times)
         return (
-            f"its points ({first:.1f} to {last:.1f} s) lie outside the trajectory "
+            f"{file}: its points ({first:.1f} to {last:.1f} s) lie outside the trajectory "
             f"({track[0]:.1f} to {track[-1]:.1f} s); check the date and the time base, or leave "
             f"the line out. {sentence(matches(some, track, point_bases=bases))}"
         )
     written = times - reading.time_shift
     inside = ((written >= track[0]) & (written <= track[-1])).any()
-    remedy = "without it they lie inside" if inside else "give another, or leave the line out"
-    return (
-        f"shifted by {reading.time_shift:+,.3f} s, its points ({first:.1f} to {last:.1f} s) lie "
-        f"outside the trajectory ({track[0]:.1f} to {track[-1]:.1f} s); check the shift: {remedy}."
-    )
+    return error(
+        "import.shift_not_needed" if inside else "import.shift_wrong", file=str(file),
+        shift=reading.time_shift, first=first, last=last, start=float(track[0]),
+        end=float(track[-1]),
+    )  # fmt: skip
 
 
 def _bases(reading: Reading, times: Array) -> tuple[TimeBase, ...] | None:

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.errors import AdjustmentError
+from lispac.messages import error
 from lispac.methods import missing
 from lispac.opinions import Method, Opinion
 from lispac.patchtest.answer import PatchTest
@@ -32,10 +33,7 @@ def natural_planes(
         if plane.used and len(plane.used_sightings) > 1
     )
     if len(planes) < 2:
-        raise AdjustmentError(
-            f"{project.name}: at least two validation planes that two lines see are needed; pick "
-            "more of them, facing different ways."
-        )
+        raise AdjustmentError(error("estimate.few_validation_planes", project=project.name))
     solved = estimate(
         replace(project, targets=planes, result=None), survey, cross_check=False, progress=progress
     )
@@ -57,10 +55,7 @@ def of_the_patch_test(found: PatchTest) -> Opinion:
         Where it has no sigma: nothing could be said of how it differs from another answer.
     """
     if found.covariance is None:
-        raise AdjustmentError(
-            "The patch test has no sigma, so its answer cannot be held against others; add "
-            "objects, and find all three angles again."
-        )
+        raise AdjustmentError(error("estimate.patch_test_without_sigma"))
     return Opinion(
         "patch test",
         found.boresight,

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import AdjustmentError
+from lispac.messages import error
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import PatchObject
 from lispac.patchtest.mismatch import Block, Mismatch, blocks_of
@@ -122,10 +123,7 @@ def propose(
         Where the lines share none.
     """
     if len(survey.clouds) < 2:
-        raise AdjustmentError(
-            f"{project.name}: one line meets nothing; add lines in other directions over the same "
-            "scene."
-        )
+        raise AdjustmentError(error("patch_test.single_line", project=project.name))
     progress(0.0, "Aligning the lines")
     boresight = survey.aligned.mounting.boresight
     clouds = placed(project, survey, boresight)
@@ -135,10 +133,7 @@ def propose(
         progress=part(progress, 0.4, 0.6),
     )  # fmt: skip
     if not objects:
-        raise AdjustmentError(
-            f"{project.name}: the lines share no flat surface; lay boxes about objects that two "
-            "lines see."
-        )
+        raise AdjustmentError(error("patch_test.nothing_shared", project=project.name))
     return lay(project, survey, objects, boresight, progress=part(progress, 0.6, 1.0))
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError, TargetNotFound
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
 from lispac.targets.agreement import agreeing
@@ -79,7 +80,7 @@ def find(
     if line is not None:
         if line not in survey.clouds:
             raise ProjectError(
-                f"{project.name}: there is no line {line}; the lines are {', '.join(survey.lines)}."
+                error("project_line.not_found", project=project.name, line=line, lines=survey.lines)
             )
         known = next((target for target in project.targets if target.name == name), None)
         if known is not None:
@@ -192,22 +193,24 @@ def require_points(survey: Survey, target: Target) -> None:
     for sighting in target.sightings:
         _require_numbers(target.name, survey, sighting.line, sighting.indices)
         if sighting.fingerprint not in ("", survey.scans[sighting.line].fingerprint):
-            raise ProjectError(
-                f"{target.name}: its points on {sighting.line} were chosen in another file, or the "
-                "trajectory covers others of them now; bring the file back, or pick it again."
-            )
+            raise ProjectError(error("pick.points_changed", target=target.name, line=sighting.line))
 
 
 def _require_numbers(what: str, survey: Survey, line: str, numbers: NDArray[np.int64]) -> None:
     if line not in survey.scans:
         raise ProjectError(
-            f"{what}: there is no line {line}; the lines are {', '.join(survey.lines)}."
+            error("project_line.not_found", project=what, line=line, lines=survey.lines)
         )
     count = len(survey.scans[line])
     if len(numbers) and not 0 <= numbers.min() <= numbers.max() < count:
         raise ProjectError(
-            f"{what}: {line} has points 0 to {count - 1:,}, and number "
-            f"{numbers.min() if numbers.min() < 0 else numbers.max():,} is asked for."
+            error(
+                "pick.no_such_point",
+                name=what,
+                line=line,
+                last=count - 1,
+                number=int(numbers.min() if numbers.min() < 0 else numbers.max()),
+            )
         )
 
 
@@ -248,23 +251,28 @@ def _in_lines(
                 place.clouds, place.seed, tried,
                 first_line=place.line, accuracy=place.accuracy, progress=progress,
             )  # fmt: skip
-        except TargetNotFound as error:
-            refusal = refusal or error
+        except TargetNotFound as failure:
+            refusal = refusal or failure
             continue
         if best is None or len(found) > len(best[0]):
             best = (found, missing, radius)
         if len(found) >= 2:
             break
     if best is None:
-        raise refusal or TargetNotFound(f"There is no line to seek a {sought.shape} in.")
+        raise refusal or TargetNotFound(
+            error("pick.no_line_plane" if sought.shape == "plane" else "pick.no_line_sphere")
+        )
     return best
 
 
 def _require_same(project: Project, known: Target, again: Target) -> None:
     if known.role != again.role:
         raise ProjectError(
-            f"{project.name}: {known.name} is a {known.role} already; pick it in the same role, or "
-            "give another name."
+            error(
+                "pick.is_target" if known.role == "target" else "pick.is_validation_plane",
+                project=project.name,
+                target=known.name,
+            )
         )
     Sought.of(again).require_same(known)
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.messages import error
 
 _RUN = re.compile(r"(\d{1,15})(?:\+(\d{1,9}))?")
 MOST = 10**9
@@ -43,7 +44,7 @@ def point_numbers(text: str) -> NDArray[np.int64]:
     """
     runs = list(_runs(text))
     if sum(count for _, count in runs) > MOST:
-        raise InputError(f"Numbers of points: these are more than {MOST:,}; correct them.")
+        raise InputError(error("pick.too_many_numbers", limit=MOST))
     ranges = [np.arange(first, first + count, dtype=np.int64) for first, count in runs]
     return np.concatenate([np.zeros(0, np.int64), *ranges])
 
@@ -52,8 +53,5 @@ def _runs(text: str) -> Iterator[tuple[int, int]]:
     for word in text.split():
         found = _RUN.fullmatch(word)
         if found is None:
-            raise InputError(
-                f"Numbers of points: {word[:40]!r} is neither a number nor a first number and how "
-                "many follow, such as 12+40."
-            )
+            raise InputError(error("pick.not_a_number", text=word[:40]))
         yield int(found[1]), int(found[2] or 1)

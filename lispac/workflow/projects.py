@@ -18,7 +18,7 @@ from lispac.io.project_file import (
     write_project,
 )
 from lispac.io.project_lock import FOREVER, project_lock
-from lispac.messages import Message
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
@@ -79,11 +79,9 @@ def create_project(
 
 def _require_new(project: Project) -> None:
     if (project.folder / FILE_NAME).exists():
-        raise ProjectError(
-            f"{project.folder}: there is a project here already; choose another folder."
-        )
+        raise ProjectError(error("project_folder.exists", folder=str(project.folder)))
     if not project.lines:
-        raise InputError("A project needs at least one line; name its scan file.")
+        raise InputError(error("project_line.none"))
     _require_names(project)
 
 
@@ -91,7 +89,7 @@ def _require_names(project: Project) -> None:
     names = [line.name for line in project.lines]
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"Two lines are named {name}; give their files different names.")
+            raise InputError(error("project_line.same_name", line=name))
 
 
 def new_project(
@@ -205,7 +203,9 @@ def with_lines_added(
     for line in lines:
         for known in project.lines:
             if known.path == Path(line.path).absolute() and known.reading == line.reading:
-                raise ProjectError(f"{line.path}: this is the line {known.name} already.")
+                raise ProjectError(
+                    error("project_line.known", file=str(line.path), line=known.name)
+                )
     added, notes = _settled_lines(lines)
     added, more = lines_in_trajectory_time(
         added, [line.reading for line in lines], project.trajectory, project.trajectory_reading,
@@ -346,10 +346,7 @@ def require_folder(project: Project) -> None:
         Where it was moved, renamed or removed meanwhile.
     """
     if not project.folder.is_dir():
-        raise InputError(
-            f"{project.folder}: the folder of the project is no longer there; "
-            "bring it back to this place and name, then save."
-        )
+        raise InputError(error("project_folder.gone", folder=str(project.folder)))
 
 
 def save_project(project: Project, *, expected: str | None = None) -> Project:

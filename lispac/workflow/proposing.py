@@ -18,6 +18,7 @@ from lispac.adjustment.shown import listed
 from lispac.adjustment.solver import adjust
 from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, placed_with
@@ -302,20 +303,12 @@ def _judged_by(lines: Mapping[str, SightingQuality]) -> _Judged:
     return _Judged("at need" if len(poor) == MOSTLY * len(lines) else "poor", words)
 
 
-def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> str:
+def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> Message:
     """That there are too few planes, and why others do not count."""
-    rough = sum(not each.flat for each in judged)
-    poor = len(judged) - few - rough
-    others = [
-        f"{count} more {'is' if count == 1 else 'are'} {what}"
-        for count, what in ((rough, "not flat"), (poor, "seen poorly"))
-        if count
-    ]
-    why = f" ({', '.join(others)})" if others else ""
-    seen = f"only {few} flat surface{'' if few == 1 else 's'} {'is' if few == 1 else 'are'}"
-    return (
-        f"{project.name}: {seen if few else 'no flat surface is'} seen on two lines or more{why}; "
-        "set seeds on the targets, put up boards, or use the targetless method."
+    uneven = sum(not each.flat for each in judged)
+    poor = len(judged) - few - uneven
+    return error(
+        "propose.few_flat_surfaces", project=project.name, count=few, uneven=uneven, poor=poor
     )
 
 

@@ -16,6 +16,7 @@ from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.io.static_scan import without_time
 from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
+from lispac.messages import error
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
@@ -24,6 +25,16 @@ FARTHEST_ORIGIN = 100_000.0
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
 }  # fmt: skip
+_NOT_OF_KIND: Mapping[Kind, str] = {
+    "trajectory": "import.not_trajectory_format",
+    "accuracy": "import.not_accuracy_format",
+    "points": "import.not_line_format",
+}
+_UNKNOWN_OF_KIND: Mapping[Kind, str] = {
+    "trajectory": "import.unknown_trajectory_format",
+    "accuracy": "import.unknown_accuracy_format",
+    "points": "import.unknown_line_format",
+}
 
 
 @dataclass(frozen=True)
@@ -56,16 +67,9 @@ def looks(path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "poin
     path = require_filled(Path(path), "survey")
     found = [(format, sure) for kind in kinds for format, sure in recognised(path, kind)]
     if without_time(path, or_text=not found):
-        raise InputError(
-            f"{path}: its points have no times, so it is no line: export it with the time of each "
-            "point. As it is it serves as a reference that the lines are checked against "
-            "(Validate > Check against a reference…, lispac check)."
-        )
+        raise InputError(error("import.points_without_time", file=str(path)))
     if not found:
-        raise InputError(
-            f"{path}: no format knows this file; export it in one that the manual names, or say "
-            "which it is."
-        )
+        raise InputError(error("import.unknown_format", file=str(path)))
     found.sort(key=lambda pair: -pair[1])
     surest = found[0][1]
     return [_look(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)]
@@ -120,14 +124,11 @@ def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[str,
     if given.format:
         format = format_of(given.format)
         if format.kind != kind:
-            raise InputError(f"{path}: {format.name} is no format of a {WORDS[kind]} file.")
+            raise InputError(error(_NOT_OF_KIND[kind], file=str(path), format=format.name))
     else:
         found = recognised(path, kind)
         if not found:
-            raise InputError(
-                f"{path}: no format of a {WORDS[kind]} file knows it; `lispac look` shows what it "
-                "may be, otherwise say which format it is."
-            )
+            raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
         format = found[0][0]
     stated = dict(given.options)
     finding = looked_at(path, format, stated)
@@ -215,10 +216,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str, ...]
     trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
     distance = float(np.linalg.norm(trajectory.position[0]))
     if distance > FARTHEST_ORIGIN:
-        raise InputError(
-            f"{project.name}: the origin is {distance / 1000:,.0f} km from the trajectory; give "
-            "its latitude and longitude in degrees, or leave it out."
-        )
+        raise InputError(error("import.origin_too_far", project=project.name, distance=distance))
     return trajectory, tuple(raw.assumptions)
 
 

@@ -13,6 +13,7 @@ from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_a
 from lispac.io.seed_file import MOST, ListedPoint, read_point_list
 from lispac.io.static_scan import StaticScan, few_rows, static_scan
 from lispac.message_texts import message_text
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -257,18 +258,14 @@ def _plane(
 
     if len(points) < 3:
         raise InputError(
-            f"{path}: the plane {name} has {len(points)} points and a plane needs three; survey "
-            "another one, or leave the plane out to check the points alone."
+            error("check.few_plane_points", file=str(path), plane=name, count=len(points))
         )
     own = np.maximum(np.array(sigmas), 1e-6)
     try:
         plane = fit_plane(points, 1 / own**2)
         Delaunay((points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T)
-    except (PlaneNotFound, QhullError) as error:
-        raise InputError(
-            f"{path}: the points of the plane {name} lie on one straight line; survey one "
-            "beside it."
-        ) from error
+    except (PlaneNotFound, QhullError) as failure:
+        raise InputError(error("check.points_in_one_row", file=str(path), plane=name)) from failure
     flat = (points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T
     design = np.column_stack([np.ones(len(points)), flat])
     covariance = np.linalg.inv(design.T @ (design / own[:, None] ** 2))
@@ -317,10 +314,7 @@ def _read_surface(
             kept = sum(map(len, parts))
         progress(0.5, f"Reading {found.path.name}, {done:,} points")
     if not kept:
-        raise InputError(
-            f"{found.path}: no point of this scan lies within {reach:g} m of what the lines have "
-            "seen; check its coordinate system."
-        )
+        raise InputError(error("check.reference_elsewhere", file=str(found.path), distance=reach))
     said = [f"{found.path.name}: {done:,} points, of which {kept:,} lie where the lines have been"]
     if halvings:
         said[0] += f" and are one in {2**halvings} of those there"

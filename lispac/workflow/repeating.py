@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
@@ -44,10 +45,10 @@ def calibrations_of(folders: Sequence[Path]) -> Compared:
     for project in projects:
         where = project.folder.resolve()
         if where in seen:
-            raise ProjectError(f"{project.folder}: this project is given twice.")
+            raise ProjectError(error("repeat.given_twice", folder=str(project.folder)))
         seen.add(where)
         if project.result is None:
-            raise ProjectError(f"{project.name}: there is no answer yet; estimate first.")
+            raise ProjectError(error("estimate.needed", project=project.name))
     names = names_of(projects)
     found = [
         Calibration(name, project.result.boresight, project.result.covariance)

@@ -10,6 +10,7 @@ from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.errors import ProjectError
 from lispac.io.plan_file import TitledPlan
+from lispac.messages import error
 from lispac.project import Project
 from lispac.simulation.closed_form import Ball, Board, Course, abeam
 from lispac.workflow.calibration import observations_of
@@ -98,7 +99,7 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
     """
     result, plan = project.result, titled.plan
     if result is None:
-        raise ProjectError(f"{project.name} has no result yet; estimate the boresight first.")
+        raise ProjectError(error("estimate.needed", project=project.name))
     used = [target.name for target in project.of_role("target")]
     missing_targets = tuple(t.name for t in plan.targets if t.name not in used)
     sailed_as = _sailed(plan, project, survey)
@@ -106,10 +107,9 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
     kept = plan.with_lines([sailed_as[k] for k in sorted(sailed_as)])
     kept = kept.with_targets([t for t in plan.targets if t.name not in missing_targets])
     if not kept.targets or not kept.lines:
-        what = "target" if not kept.targets else "line"
+        code = "plan_survey.no_line_measured" if kept.targets else "plan_survey.no_target_measured"
         raise ProjectError(
-            f"{project.name} has no {what} of this plan; targets go by their names "
-            f"({', '.join(t.name for t in plan.targets)}), lines by their headings."
+            error(code, project=project.name, targets=tuple(t.name for t in plan.targets))
         )
     sailed = predict(kept).sigma
     found_flatness = float(result.surfaces[0])

@@ -7,6 +7,7 @@ from typing import Any
 from lispac.errors import InputError
 from lispac.foreign_values import InvalidContentError, toml_values
 from lispac.io.files import require_file
+from lispac.messages import error
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
 from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.survey.conventions.systems import system
@@ -40,18 +41,18 @@ def _of_template(path: Path) -> ReportOptions:
     require_file(path, "report template")
     try:
         content = toml_values(path.read_bytes())
-    except (OSError, InvalidContentError) as error:
+    except (OSError, InvalidContentError) as failure:
+        reason = failure.reason if isinstance(failure, InvalidContentError) else str(failure)
         raise InputError(
-            f"{path}: this report template is no TOML file ({error}); it holds lines such as "
-            'company = "Levés du Fleuve".'
-        ) from error
+            error("report_template.not_toml", file=str(path), reason=reason)
+        ) from failure
     for key, value in content.items():
         if key not in KEYS:
             raise InputError(
-                f"{path}: a report template has no {key}; it can have {', '.join(KEYS)}."
+                error("report_template.unknown_key", file=str(path), key=key, keys=KEYS)
             )
         if not isinstance(value, str):
-            raise InputError(f"{path}: {key} must be a text in quotation marks.")
+            raise InputError(error("report_template.not_text", file=str(path), key=key))
     try:
         return ReportOptions(
             page=_page(content.get("page", USUAL.page)),
@@ -60,15 +61,17 @@ def _of_template(path: Path) -> ReportOptions:
             logo=_logo(path.parent, content["logo"]) if content.get("logo") else None,
             **{key: _text(key, content.get(key, "")) for key in ("company", "heading", "closing")},
         )
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
+    except InputError as failure:
+        raise InputError(
+            error("report_template.refused", file=str(path), reason=failure.reason)
+        ) from failure
 
 
 def _page(text: Any) -> Page:
     for page in PAGES:
         if text.strip().lower() == page:
             return page
-    raise InputError(f"There is no page {text}; choose one of {', '.join(PAGES)}.")
+    raise InputError(error("report_template.no_page", page=str(text), pages=tuple(PAGES)))
 
 
 def _language(text: str) -> str:
@@ -85,9 +88,7 @@ def _logo(folder: Path, name: str) -> Path:
     """
     path = folder / name
     if not path.resolve().is_relative_to(folder.resolve()):
-        raise InputError(
-            f"the logo {name} is not in the folder of the template; copy the picture there."
-        )
+        raise InputError(error("report_template.logo_elsewhere", logo=name))
     require_file(path, "logo")
     suffix = path.suffix.lower()
     start = path.read_bytes()[:4096]
@@ -95,14 +96,11 @@ def _logo(folder: Path, name: str) -> Path:
         return path
     if suffix == ".svg" and b"<svg" in start:
         return path
-    raise InputError(f"{path}: a logo is a PNG or SVG picture; this file is neither.")
+    raise InputError(error("report_template.logo_format", logo=str(path)))
 
 
 def _text(key: str, text: str) -> str:
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
     if len(tidy) > LONGEST or any(not (c.isprintable() or c == "\n") for c in tidy):
-        raise InputError(
-            f"{key} is longer than {LONGEST:,} letters or holds one that cannot be printed; "
-            "change it."
-        )
+        raise InputError(error("report_template.long_text", key=key, limit=LONGEST))
     return tidy

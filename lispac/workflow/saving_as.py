@@ -10,6 +10,7 @@ from zlib import crc32
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.project_file import FILE_NAME, SIGHTINGS, write_project
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
@@ -50,9 +51,9 @@ def save_project_as(
     """
     folder = Path(folder).absolute()
     if (folder / FILE_NAME).exists():
-        raise ProjectError(f"{folder}: there is a project here already; choose another folder.")
+        raise ProjectError(error("project_folder.exists", folder=str(folder)))
     if folder.is_file():
-        raise ProjectError(f"{folder}: this is a file; give the project's folder another name.")
+        raise ProjectError(error("project_folder.is_file", folder=str(folder)))
     moved = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
     on_disk = {name: scan for name, scan in scans.items() if isinstance(scan, StoredLine)}
@@ -67,11 +68,14 @@ def save_project_as(
                 _copy(stored, there, done, total, progress)
                 done += stored.manifest.bytes
                 _point_to(scans, clouds, name, replace(stored, folder=there))
-        except OSError as error:
+        except OSError as failure:
             raise InputError(
-                f"{folder}: the project cannot be written here ({error.strerror or error}); "
-                "choose another folder."
-            ) from error
+                error(
+                    "project_folder.not_writable",
+                    folder=str(folder),
+                    reason=failure.strerror or str(failure),
+                )
+            ) from failure
         with _sightings_taken_back(folder):
             digest = write_project(moved, expected="")
     return replace(moved, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
@@ -112,11 +116,8 @@ def _unfinished(folder: Path) -> Iterator[None]:
     with ExitStack() as held:
         try:
             held.enter_context(locked(lines))
-        except ProjectError as error:
-            raise ProjectError(
-                f"{folder}: another window or command is saving a project here; wait for it or "
-                "choose another folder."
-            ) from error
+        except ProjectError as failure:
+            raise ProjectError(error("project_folder.being_saved", folder=str(folder))) from failure
         _remove_unfinished(lines)
         try:
             yield
@@ -161,10 +162,7 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
     """
     manifest = stored.manifest
     if there.is_dir() and any(there.iterdir()):
-        raise ProjectError(
-            f"{there}: there are files here already that no unfinished save has left; choose "
-            "another folder, or take them away."
-        )
+        raise ProjectError(error("project_folder.has_files", folder=str(there)))
     there.mkdir(exist_ok=True)
     (there / MARK).touch()
     (there / manifest.folder).mkdir()
@@ -175,13 +173,10 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
         path, found = stored.folder / manifest.folder / name, 0
         try:
             source = path.open("rb")
-        except FileNotFoundError as error:
+        except FileNotFoundError as failure:
             raise stored.gone_or(
-                ProjectError(
-                    f"{path}: this part of the imported line {stored.name} is missing; import the "
-                    "line again."
-                )
-            ) from error
+                ProjectError(error("import.part_missing", file=str(path), line=stored.name))
+            ) from failure
         place = there / manifest.folder / name
         with source, place.open("wb") as copy:
             then = os.fstat(source.fileno())  # its name may be gone at the end
@@ -192,10 +187,7 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
                 done += len(piece)
         if checksum is not None and found != checksum:
             raise stored.gone_or(
-                ProjectError(
-                    f"{path}: this part of the imported line {stored.name} has changed since (its "
-                    "checksum does not hold); import the line again."
-                )
+                ProjectError(error("import.part_changed", file=str(path), line=stored.name))
             )
         os.utime(place, ns=(then.st_atime_ns, then.st_mtime_ns))
     write_manifest(there, manifest)

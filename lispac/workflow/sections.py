@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.cloud import Cloud, Line
@@ -65,7 +66,7 @@ def cut_target(
     groups = {which: _sightings(target, clouds) for which, clouds in _placed(project, survey)}
     latest = list(groups.values())[-1]
     if not latest:
-        raise ProjectError(f"{name} has no points on any line; there is nothing to cut through.")
+        raise ProjectError(error("section.no_points", target=name))
     normal = common_normal(latest.values())
     ends = np.concatenate([_ends(survey.scans[line]) for line in latest])
     eye = survey.trajectory.at(ends).position.mean(axis=0)

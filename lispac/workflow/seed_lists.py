@@ -10,6 +10,7 @@ import numpy as np
 from lispac.doubles import overlap_words
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.seed_file import PointList, read_point_list
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
@@ -128,8 +129,9 @@ def require_free(seeds: SeedList) -> None:
     for seed in seeds.seeds:
         if seed.taken:
             raise ProjectError(
-                f"{seeds.points.path}, row {seed.row}: the project has a {seed.name} already; give "
-                "it another name in the list, or say that it is to be replaced."
+                error(
+                    "pick.name_taken", file=str(seeds.points.path), row=seed.row, target=seed.name
+                )
             )
 
 
@@ -182,8 +184,14 @@ def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
     if outcomes and all(outcome.target is None for outcome in outcomes):
         first = outcomes[0]
         raise TargetNotFound(
-            f"{seeds.points.path}: no target was found at any of the {len(outcomes)} seeds; "
-            f"{first.seed.name} (row {first.seed.row}): {first.reason}"
+            error(
+                "pick.none_found",
+                file=str(seeds.points.path),
+                count=len(outcomes),
+                target=first.seed.name,
+                row=first.seed.row,
+                reason=first.reason,
+            )
         )
 
 
@@ -197,10 +205,15 @@ def require_all_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
     """
     failed = [outcome.seed for outcome in outcomes if outcome.target is None]
     if failed:
-        named = ", ".join(f"{seed.name} (row {seed.row})" for seed in failed)
         raise TargetNotFound(
-            f"{seeds.points.path}: no target was found at {len(failed)} of the {len(outcomes)} "
-            f"seeds: {named}; the table says why. The others are saved."
+            error(
+                "pick.some_not_found",
+                file=str(seeds.points.path),
+                count=len(failed),
+                total=len(outcomes),
+                seeds=[seed.name for seed in failed],
+                rows=[str(seed.row) for seed in failed],
+            )
         )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MOST, Cloud, Region
@@ -114,13 +115,16 @@ class Sought:
         """
         if known.shape != self.shape:
             raise ProjectError(
-                f"{known.name} is a {known.shape} already; pick it in the same shape, or give "
-                "another name."
+                error(
+                    "pick.is_plane" if known.shape == "plane" else "pick.is_sphere",
+                    target=known.name,
+                )
             )
         if known.sphere_radius != self.sphere_radius:
             raise ProjectError(
-                f"{known.name} has {_radius_in_words(known.sphere_radius)}; pick it with the same, "
-                "or give another name."
+                error("pick.radius_unknown", target=known.name)
+                if known.sphere_radius is None
+                else error("pick.other_radius", target=known.name, radius=known.sphere_radius)
             )
 
     def at(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
@@ -350,7 +354,3 @@ def _whole(patch: PlanePatch, region: Region, cloud: Cloud) -> PlanePatch:
     there = cloud.within(patch.centre, reach)
     complete = patch_among(there.points, some, patch.plane)
     return replace(complete, indices=there.numbers[complete.indices], one_in=there.one_in)
-
-
-def _radius_in_words(radius: float | None) -> str:
-    return "an unknown radius" if radius is None else f"a radius of {radius:g} m"

@@ -20,6 +20,7 @@ from lispac.io.sensor_file import (
     read_scanner_figures,
     write_figures,
 )
+from lispac.messages import error
 
 FROM_MEMORY = "from memory, check against the data sheet"
 LONGEST = 200
@@ -63,7 +64,7 @@ class Library:
         InputError
             Where there is none.
         """
-        return _named("scanner", self.scanners, name).figures
+        return _named("sensor.no_scanner", self.scanners, name).figures
 
     def pos_state(self, word: str) -> tuple[PosFigures, PosState]:
         """The POS of a name, and its sigmas with a GNSS solution: ``apogee:ppk``.
@@ -74,14 +75,13 @@ class Library:
             Where there is none, or the solution is not stated and there are several.
         """
         name, _, solution = word.partition(":")
-        figures = _named("POS", self.pos, name).figures
+        figures = _named("sensor.no_pos", self.pos, name).figures
         states = {state.name: state for state in figures.states}
         if not solution and len(states) == 1:
             return figures, figures.states[0]
         if solution not in states:
-            known = ", ".join(f"{name}:{each}" for each in states)
             raise InputError(
-                f"{word}: say with which GNSS solution its sigmas are to be taken: {known}."
+                error("sensor.no_solution", name=word, known=[f"{name}:{each}" for each in states])
             )
         return figures, states[solution]
 
@@ -122,17 +122,15 @@ def _read(
     for path in sorted((folder / kind).glob("*.toml")):
         try:
             found[path.stem] = Sensor(path.stem, own(path), own=True)
-        except InputError as error:
-            remarks.append(str(error))
+        except InputError as failure:
+            remarks.append(str(failure))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
 
 
-def _named(kind: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
+def _named(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
     known = {sensor.name: sensor for sensor in sensors}
     if name not in known:
-        raise InputError(
-            f"There is no {kind} named {name} in the library; give one of {', '.join(known)}."
-        )
+        raise InputError(error(refusal, name=name, known=tuple(known)))
     return known[name]
 
 
@@ -167,18 +165,18 @@ def require_sound(folder: Path, figures: Figures, name: str = "") -> None:
     """
     sources = [figures] if isinstance(figures, ScannerFigures) else figures.states
     if not sources:
-        raise InputError("No sigmas are stated; state them for one GNSS solution at least.")
+        raise InputError(error("sensor.no_sigmas"))
     if not _word(figures.title):
-        raise InputError("A sensor needs a title: maker and model.")
+        raise InputError(error("sensor.no_title"))
     if not all(each.source.strip() for each in sources):
-        raise InputError("State where the figures come from: a data sheet with its date, say.")
+        raise InputError(error("sensor.no_source"))
     for text in (figures.title, *(each.source for each in sources)):
         if len(text) > LONGEST or not text.isprintable():
-            raise InputError(f"A title or a source has one line of {LONGEST} letters at most.")
+            raise InputError(error("sensor.long_text", limit=LONGEST))
     known = library(folder)
     same = known.scanners if isinstance(figures, ScannerFigures) else known.pos
     if not name and _word(figures.title) in {sensor.name for sensor in same}:
-        raise InputError(f"There is a sensor {figures.title} already; give another title.")
+        raise InputError(error("sensor.title_taken", title=figures.title))
 
 
 def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) -> None:
@@ -190,12 +188,14 @@ def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) ->
         Where it comes with the program, or cannot be removed.
     """
     if not sensor.own:
-        raise InputError(f"{sensor.figures.title} comes with the program; it cannot be removed.")
+        raise InputError(error("sensor.supplied", title=sensor.figures.title))
     path = _file(folder, sensor.figures, sensor.name)
     try:
         path.unlink()
-    except OSError as error:
-        raise InputError(f"{path}: this file cannot be removed: {error.strerror}.") from error
+    except OSError as failure:
+        raise InputError(
+            error("sensor.not_removed", file=str(path), reason=failure.strerror or str(failure))
+        ) from failure
 
 
 def _file(folder: Path, figures: Figures, name: str) -> Path:

@@ -13,6 +13,7 @@ from lispac.io.las import write_points
 from lispac.io.project_file import FILE_NAME, SIGHTINGS
 from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.io.text_export import write_table
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Settings, Triple
 from lispac.simulation.pos_error_models import Together
@@ -66,10 +67,7 @@ def simulate(
     )  # fmt: skip
     for line in survey.lines:
         if not len(line.time):
-            raise InputError(
-                f"Line {line.name} sees nothing of the scene: bring its course nearer, or widen "
-                "the scanner's window."
-            )
+            raise InputError(error("simulate.line_without_points", line=line.name))
     clear(folder, MARKER, "Simulated survey; remade by every run of the simulation into it.\n")
     shutil.rmtree(folder / TRUTH, ignore_errors=True)
     lines = write_lines(survey, folder / RAW, progress=part(progress, 0.6, 0.95))
@@ -91,9 +89,9 @@ def require_replaceable(folder: Path, marker: str) -> None:
     ProjectError
     """
     if folder.exists() and not folder.is_dir():
-        raise ProjectError(f"{folder}: this is a file; choose a folder for the {marker} survey.")
+        raise ProjectError(error("simulate.folder_is_file", folder=str(folder)))
     if folder.exists() and any(folder.iterdir()) and not (folder / RAW / marker).is_file():
-        raise ProjectError(f"{folder}: this folder holds other files; choose a new one.")
+        raise ProjectError(error("simulate.folder_in_use", folder=str(folder)))
     require_no_link(folder / RAW, folder / TRUTH, folder / SIGHTINGS)
 
 

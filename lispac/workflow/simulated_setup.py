@@ -14,6 +14,7 @@ from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import SceneFile, read_scene
 from lispac.io.toml_table import Table
 from lispac.io.vessel_file import Vessel, read_vessel
+from lispac.messages import error
 from lispac.project import Triple
 from lispac.simulation.survey import Setup
 from lispac.simulation.voyage import Replayed, Sailed, Voyage
@@ -103,6 +104,14 @@ def simulation(
     return Simulation(setup, carried.lever_arm, titles, files)
 
 
+_UNKNOWN = {
+    "scene": "simulate.no_scene",
+    "vessel": "simulate.no_vessel",
+    "scanner": "simulate.no_scanner",
+}
+"""Code of the message that there is no file of a kind with a name."""
+
+
 def file_of(kind: str, word: str, beside: Path | None) -> Path:
     """The file of a name or path; paths in a scene count from where it lies.
 
@@ -116,10 +125,7 @@ def file_of(kind: str, word: str, beside: Path | None) -> Path:
         known = supplied(kind)
         if word in known:
             return resource(f"{kind}s") / f"{word}.toml"
-        raise InputError(
-            f"There is no {kind} named {word}: give one of {', '.join(known)}, or a file that "
-            "ends in .toml."
-        )
+        raise InputError(error(_UNKNOWN[kind], name=word, known=tuple(known)))
     return path if beside is None else beside / path
 
 
@@ -129,26 +135,26 @@ def _voyage(
     recorded = trajectory or described.trajectory
     if recorded is None:
         if not described.passes:
-            raise InputError(
-                f"{file}: its lines have start_s, so a recorded trajectory is needed; give "
-                "--trajectory, or trajectory in the scene."
-            )
+            raise InputError(error("simulate.no_trajectory", file=str(file)))
         if described.origin is None:
-            raise InputError(f"{file}: [origin] is missing; say where the scene lies.")
+            raise InputError(error("simulate.no_origin", file=str(file)))
         passes = tuple(replace(each, handling=carried.handling) for each in described.passes)
         takes = sum(each.times[1] - each.times[0] for each in passes)
         takes += len(passes) * carried.handling.transit + 2 * carried.handling.wait
         if takes > LONGEST:
             raise InputError(
-                f"{file}: with {carried.title} the survey takes {takes / 3600:.0f} hours, and no "
-                f"more than {LONGEST / 3600:.0f} are simulated; correct run_in_m and run_out_m, or "
-                "the vessel's speed_m_s, transit_s and wait_s."
+                error(
+                    "simulate.too_long",
+                    file=str(file),
+                    vessel=carried.title,
+                    duration=takes,
+                    limit=LONGEST,
+                )
             )
         return described.origin, Sailed(passes, carried.pos_height)
     if not described.stretches:
         raise InputError(
-            f"{file}: its lines are headings to be sailed, so {recorded} cannot be replayed; give "
-            "each of its [[lines]] start_s, stop_s and side instead, in the trajectory's time."
+            error("simulate.lines_by_heading", file=str(file), trajectory=str(recorded))
         )
     states = read_sbet(recorded)
     mean = states.mean_frame()
@@ -158,7 +164,11 @@ def _voyage(
     farthest = float(np.linalg.norm(local.position, axis=1).min())
     if farthest > FARTHEST:
         raise InputError(
-            f"{file}: the origin of the scene lies {farthest / 1000:.0f} km from {recorded}; "
-            "correct [origin], or leave it out for the mean of the trajectory."
+            error(
+                "simulate.origin_too_far",
+                file=str(file),
+                distance=farthest,
+                trajectory=str(recorded),
+            )
         )
     return origin, Replayed(local, described.stretches)

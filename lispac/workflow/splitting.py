@@ -4,6 +4,7 @@ import sys
 from dataclasses import replace
 
 from lispac.errors import InputError
+from lispac.messages import error
 from lispac.project import LineSource
 from lispac.survey.line_audit import LineAudit
 from lispac.survey.screening import Condition
@@ -37,8 +38,14 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
     found = file_audit(line.path, format, choice, most=sys.maxsize)
     if by != GAP and by not in found.attributes:
         raise InputError(
-            f"{line.path}: its points have no attribute {by} to split by; they have "
-            f"{', '.join(sorted(found.attributes)) or 'none'}."
+            error(
+                "import.no_attribute",
+                file=str(line.path),
+                attribute=by,
+                known=sorted(found.attributes),
+            )
+            if found.attributes
+            else error("import.no_attributes", file=str(line.path), attribute=by)
         )
     return parts_of_line(line, found.audit, by, format.key)
 

@@ -8,6 +8,7 @@ from lispac.errors import InputError
 from lispac.io.formats import format_of, suggests_time
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format
+from lispac.messages import error
 from lispac.project import LineSource, Reading
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import base_of
@@ -117,7 +118,7 @@ def lines_in_trajectory_time(
         choice = {**choice, RESTART: line.reading.restart or NONE}
         times = line_times(line.path, format, choice).sample
         if wrong := contradiction(times, own):
-            raise InputError(f"{line.path}: {wrong}")
+            raise InputError(error("import.time_base_refused", file=str(line.path), reason=wrong))
         found = following(times, track, own, other)
         typed = line.reading.time_shift
         if found is None:
@@ -129,15 +130,23 @@ def lines_in_trajectory_time(
             continue
         if not found:
             if not typed:
-                raise InputError(f"{line.path}: {nowhere(own, other, times, track)}")
+                reason = nowhere(own, other, times, track)
+                raise InputError(
+                    error("import.time_base_refused", file=str(line.path), reason=reason)
+                )
             continue
         shift = found[0].shift
         if typed:
             if all(abs(typed - match.shift) > SAME for match in found):
                 raise InputError(
-                    f"{line.path}: a shift of {typed:+,.3f} s is given, but {shift:+,.3f} s bring "
-                    f"its times from {own.words} to the trajectory's {other.words}; give either "
-                    "the shift or the time base."
+                    error(
+                        "import.shift_contradicts_base",
+                        file=str(line.path),
+                        given=typed,
+                        needed=shift,
+                        base=own.message,
+                        trajectory_base=other.message,
+                    )
                 )
         elif shift:
             moved[-1] = replace(line, reading=replace(line.reading, time_shift=shift))

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
+from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.workflow.calibration import select, solve
@@ -67,9 +68,9 @@ def subsampling_study(
         Where targets and lines cannot give an answer.
     """
     if not distances or not all(0.0 <= distance < np.inf for distance in distances):
-        raise InputError("Give the subsampling distances in metres, 0 for all points.")
+        raise InputError(error("estimate.point_spacing"))
     if not project.of_role("target"):
-        raise ProjectError(f"{project.name}: there is no target yet; pick targets first.")
+        raise ProjectError(error("estimate.no_target", project=project.name))
     chosen = sorted(set(distances))
     selected = select(project, survey, progress=part(progress, 0.0, 0.4))
     found = []

@@ -17,6 +17,7 @@ from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
 from lispac.io.values import decoded
+from lispac.message_texts import message_text
 from lispac.messages import Level, Message, Value, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
@@ -269,7 +270,7 @@ def _opened(
         cloud = CloudOnDisk(stored, Georeferencer.of(trajectory, mounting))
         said = stored.assumptions
         if imported.reason:
-            said = (imported.reason, *said)
+            said = (message_text(imported.reason), *said)
         if not line.path.exists():
             said += (
                 f"{line.path} is not there; {line.name} is used as it was imported from it before",
@@ -306,23 +307,29 @@ def _require_picked_on(project: Project, line: LineSource, scan: Line) -> None:
     for target in project.targets:
         sighting = target.sighting(line.name)
         if sighting is not None and sighting.fingerprint not in ("", scan.fingerprint):
-            raise InputError(
-                f"{line.path}: these are not the points {target.name} was picked on (or the "
-                "trajectory covers others of them now); bring the file back, or make a new project."
-            )
+            raise InputError(error("import.other_points", file=str(line.path), target=target.name))
         if sighting is not None and len(sighting.indices) and sighting.indices.max() >= len(scan):
             raise ProjectError(
-                f"{project.folder}: {target.name} has points that {line.name} does not have, so "
-                "the project is damaged; restore its folder from a copy."
+                error(
+                    "import.points_missing",
+                    folder=str(project.folder),
+                    target=target.name,
+                    line=line.name,
+                )
             )
 
 
 def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, path: Path) -> None:
     if accuracy.time[-1] < trajectory.time[0] or accuracy.time[0] > trajectory.time[-1]:
         raise InputError(
-            f"{path}: its times ({accuracy.time[0]:.1f} to {accuracy.time[-1]:.1f} s) do not meet "
-            f"those of the trajectory ({trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s); "
-            "give the accuracy file that belongs to it."
+            error(
+                "import.accuracy_times",
+                file=str(path),
+                first=float(accuracy.time[0]),
+                last=float(accuracy.time[-1]),
+                start=float(trajectory.time[0]),
+                end=float(trajectory.time[-1]),
+            )
         )
 
 

@@ -16,6 +16,7 @@ from lispac.adjustment.blas import one_thread
 from lispac.adjustment.observability import CARRIED, CLUSTERED
 from lispac.adjustment.problem import Linearised
 from lispac.errors import AdjustmentError
+from lispac.messages import error
 
 Array = NDArray[np.float64]
 
@@ -129,16 +130,13 @@ def _first_two(planes: Planes, names: Sequence[str]) -> list[str]:
         if pair not in planes.one_way
     }
     if not worst:
-        raise AdjustmentError(
-            "All flat surfaces found face one way, and that leaves the boresight open; put up "
-            "a board of another inclination, or set seeds by hand."
-        )
+        raise AdjustmentError(error("propose.one_orientation"))
     best = min(worst, key=worst.__getitem__)
     boards = {pair: sigma for pair, sigma in worst.items() if set(pair) <= set(planes.whole)}
     if boards and min(boards.values()) <= FAR_WORSE * worst[best]:
         best = min(boards, key=boards.__getitem__)
     if not np.isfinite(worst[best]):
-        raise AdjustmentError("No two of the planes found determine the boresight.")
+        raise AdjustmentError(error("propose.not_determined"))
     return list(best)
 
 

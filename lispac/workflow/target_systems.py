@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from lispac.errors import InputError
 from lispac.io.points import DATUM, EPOCH, system_of
+from lispac.messages import error
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.crs_area import meant_elsewhere
@@ -45,7 +46,7 @@ def target_system(
         Where it is not known, the lines contradict each other, or an epoch changes nothing.
     """
     if epoch is not None and not FIRST_YEAR <= epoch <= LAST_YEAR:
-        raise InputError(f"{epoch:g}: not a date as a decimal year; 2024.5 for example.")
+        raise InputError(error("export.bad_epoch", epoch=f"{epoch:g}"))
     if not system and not height and not trajectory_datum:
         own = _common_system(chosen)
         if own is not None:
@@ -66,10 +67,7 @@ def _at(chosen: Sequence[Chunks], epoch: float) -> CoordinateSystem | None:
 
 def _require_datum(trajectory_datum: str, epoch: float | None) -> None:
     if epoch is not None and not trajectory_datum:
-        raise InputError(
-            f"The epoch {epoch:g} changes nothing without the datum of the trajectory: give that "
-            "as well (EPSG:7912 for ITRF2014, say), or leave the epoch out."
-        )
+        raise InputError(error("export.epoch_without_datum", epoch=f"{epoch:g}"))
 
 
 def own_datum(lines: Sequence[LineSource]) -> tuple[str, float | None]:
@@ -89,11 +87,8 @@ def _own_datum(chosen: Sequence[Chunks]) -> tuple[str, float | None]:
         for c in chosen if c.system is not None
     }  # fmt: skip
     if len(found) > 1:
-        words = sorted(f"{datum or 'none'}, epoch {year or 'none'}" for datum, year in found)
-        raise InputError(
-            f"The lines are read with different datums of the trajectory ({'; '.join(words)}); "
-            "say which datum and epoch to use."
-        )
+        words = sorted(f"{datum or '–'} ({year or '–'})" for datum, year in found)
+        raise InputError(error("export.different_datums", datums=words))
     datum, year = next(iter(found), ("", ""))
     return datum, float(year) if year and datum else None
 
@@ -111,17 +106,10 @@ def chosen_system(
     """
     if text == LOCAL:
         if height or trajectory_datum or epoch is not None:
-            raise InputError(
-                "The local frame has heights and a datum of its own; give a coordinate system, "
-                "or neither heights nor a datum nor an epoch."
-            )
+            raise InputError(error("export.local_frame_options"))
         return None
     if not text:
-        raise InputError(
-            "No coordinate system is given and the lines name none; give its EPSG code "
-            f"({utm_zone(trajectory)} is the UTM zone of the trajectory), or {LOCAL} for the "
-            "local frame (North, West, Up)."
-        )
+        raise InputError(error("export.no_system", zone=utm_zone(trajectory), local=LOCAL))
     _require_datum(trajectory_datum, epoch)
     found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
     return replace(found, assumptions=(*found.assumptions, *_far_away(found, trajectory)))
@@ -157,18 +145,16 @@ def _common_system(chosen: Sequence[Chunks]) -> CoordinateSystem | None:
         (c.system.written.to_wkt(), c.system.pipeline): c for c in chosen if c.system is not None
     }
     if len(own) > 1:
-        raise InputError(
-            "The lines are in different coordinate systems "
-            f"({'; '.join(_described(found) for found in own.values())}); say which one to write."
-        )
+        systems = [_described(found) for found in own.values()]
+        raise InputError(error("export.different_systems", systems=systems))
     return next((c.system for c in own.values()), None)
 
 
 def _described(chunks: Chunks) -> str:
     """A line's coordinate system with all that tells it from another one of the same name."""
     assert chunks.system is not None
-    said = [chunks.system.name, f"heights: {chunks.system.height}"]
+    details = [str(chunks.system.height)]
     if datum := str(chunks.choice[DATUM.name]).strip():
         epoch = str(chunks.choice[EPOCH.name]).strip()
-        said.append(f"trajectory in {datum}" + (f" at {epoch}" if epoch else ""))
-    return f"{chunks.line.name}: {', '.join(said)}"
+        details.append(f"{datum}@{epoch}" if epoch else datum)
+    return f"{chunks.line.name}: {chunks.system.name} ({'; '.join(details)})"

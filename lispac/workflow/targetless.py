@@ -21,6 +21,7 @@ from lispac.adjustment.shown import listed
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
+from lispac.messages import error
 from lispac.natural.choice import COUNT, Choice, chosen
 from lispac.natural.patches import Patches, patches_of
 from lispac.progress import Progress, no_progress, part
@@ -125,10 +126,7 @@ def targetless(
     settings = project.settings
     settings.require_sound()
     if len(survey.clouds) < 2:
-        raise AdjustmentError(
-            f"{project.name}: one line meets nothing; add lines in other directions over the same "
-            "scene."
-        )
+        raise AdjustmentError(error("targetless.single_line", project=project.name))
     own = _targets_alone(project) if with_targets else None
     started = perf_counter()
     progress(0.0, "Aligning the lines")
@@ -149,8 +147,12 @@ def targetless(
         found = len(patches)
         if len(choice.rows) < FEWEST:
             raise AdjustmentError(
-                f"{project.name}: the lines share only {len(choice.rows)} flat surfaces, and at "
-                f"least {FEWEST} are needed; add lines that overlap, or hang targets."
+                error(
+                    "targetless.few_surfaces",
+                    project=project.name,
+                    count=len(choice.rows),
+                    least=FEWEST,
+                )
             )
         picked = replace(project, targets=_targets(patches, choice, clouds, survey), result=None)
         observations = observations_of(picked, survey, settings=quick, mounting=mounting)
@@ -203,10 +205,7 @@ def targetless(
 def _targets_alone(project: Project) -> Project:
     targets = tuple(target for target in project.of_role("target") if target.used)
     if not targets:
-        raise AdjustmentError(
-            f"{project.name}: there is no target to adjust with the scene; pick one, or leave the "
-            "targets out."
-        )
+        raise AdjustmentError(error("targetless.no_target", project=project.name))
     return replace(project, targets=targets, result=None)
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.errors import NotComparable, ProjectError
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.validation.comparison import PlaneComparison, compare_plane
@@ -37,12 +38,10 @@ def validate(
     placed = survey.placed(project, "estimated")
     planes = [plane for plane in project.of_role("validation") if plane.used]
     if not planes:
-        raise ProjectError(
-            f"{project.name}: there is no validation plane; pick planes that took no part in the "
-            "adjustment."
-        )
+        raise ProjectError(error("validate.no_planes", project=project.name))
     comparisons: list[PlaneComparison] = []
     not_compared: dict[str, str] = {}
+    reasons: list[Message | str] = []
     for k, plane in enumerate(planes):
         step = part(progress, k / len(planes), (k + 1) / len(planes))
         step(0.0, f"Comparing the lines on {plane.name}")
@@ -60,10 +59,14 @@ def validate(
                     ranges=ranges, progress=step,
                 )
             )  # fmt: skip
-        except NotComparable as error:
-            not_compared[plane.name] = str(error)
+        except NotComparable as failure:
+            not_compared[plane.name] = str(failure)
+            reasons.append(failure.reason)
     if not comparisons:
-        raise NotComparable(" ".join(not_compared.values()))
+        refusal = reasons[0]
+        for reason in reasons[1:]:
+            refusal = error("validate.also", first=refusal, reason=reason)
+        raise NotComparable(refusal)
     return project.with_validation(tuple(comparisons), not_compared)
 
 
@@ -86,10 +89,7 @@ def validate_with_truth(
         The survey is not a simulated one, or has not been validated.
     """
     if project.truth_deg is None or project.result is None or not project.validation:
-        raise ProjectError(
-            f"{project.name}: only a simulated survey that has been validated can be compared "
-            "with its truth."
-        )
+        raise ProjectError(error("validate.not_simulated", project=project.name))
     true = project.result.mounting.with_boresight(np.radians(project.truth_deg))
     placed = project.with_result(replace(project.result, mounting=true))
     model = project.validation[0].model

@@ -202,6 +202,6 @@ def test_nothing_to_compare_with_is_said(driver: Driver, design: DesignWindow, d
     driver.bot.keyClick(design, Key.Key_F11)
     settled(driver)
     (error,) = driver.dialogs.errors
-    assert "has no result yet; estimate the boresight first" in str(error)
+    assert error.code == "estimate.needed"
     driver.dialogs.errors.clear()
     assert design.compared.cells == []

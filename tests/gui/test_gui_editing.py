@@ -93,7 +93,7 @@ def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
     press(picked, Key.Key_L, SHIFT)
     points = np.concatenate(list(window.scene.selected_points.values()))
     outline(picked, points)
-    assert "untick the sighting" in str(picked.dialogs.errors[0])
+    assert picked.dialogs.errors[0].code == "edit.few_points_left"
     assert not window.document.is_modified
     press(picked, Key.Key_Escape)
 

@@ -162,7 +162,7 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
         assert ok(dialog).isEnabled()
     dialog.datum.clear()
     dialog._judge()
-    assert "changes nothing without the datum" in dialog.said.text()
+    assert "has no effect without the datum" in dialog.said.text()
     dialog.epoch.clear()
     dialog._judge()
     assert dialog.request().trajectory_datum == ""

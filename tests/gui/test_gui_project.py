@@ -56,7 +56,7 @@ def test_a_project_whose_files_are_elsewhere_asks_for_them(
     driver.rest()
     assert driver.dialogs.asked == ["harbour: 7", "harbour: 7", "harbour: 1"]
     (error,) = driver.dialogs.errors
-    assert "none of the missing files is in this folder" in str(error)
+    assert error.code == "project_files.none_of_many_found"
     assert driver.project.trajectory == tmp_path / "usb" / "nav" / known.trajectory.name
     assert driver.window.document.survey_is_current
     assert driver.window.isWindowModified()  # where they are is kept with the project

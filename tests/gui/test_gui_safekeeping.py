@@ -195,7 +195,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
     driver.window.activateWindow()
     press(driver, Key.Key_S, Control)
     driver.bot.waitUntil(lambda: driver.dialogs.errors != [], timeout=5000)
-    assert "no longer there" in str(driver.dialogs.errors[0])
+    assert driver.dialogs.errors[0].code == "project_folder.gone"
     assert not folder.exists()
     assert driver.window.isWindowModified()
 

@@ -109,7 +109,7 @@ def test_mistakes_are_told_while_typing(picked: Driver) -> None:
         assert "printable" in typed("seed_name", " ")
         assert "slash" in typed("seed_name", "a/b")
         typed("seed_name", "T9")
-        assert "km from the trajectory; give metres" in typed("seed_coordinate_0", "5041234")
+        assert "km from the trajectory. Give metres" in typed("seed_coordinate_0", "5041234")
         assert not find(dialog).isEnabled()
 
     seen = hand(picked, answer)
@@ -147,7 +147,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         first = dialog.fields[0]
         opened.bot.mouseClick(first, Qt.MouseButton.LeftButton)
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-        assert "easting comes first, then northing: exchange the two" in said(dialog)
+        assert "Give easting first, then northing" in said(dialog)
         first.selectAll()
         QApplication.clipboard().setText(f"{east:.4f}\t{north:.4f}\t−0{-height:.4f}")
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)

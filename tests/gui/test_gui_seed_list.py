@@ -108,7 +108,7 @@ def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, li
         picked.bot.keyClick(box, Key.Key_Down)
         assert "EPSG:32618" in box.currentText()
         picked.bot.waitUntil(
-            lambda: "check the coordinate system" in dialog.findChild(QLabel, "list_said").text(),
+            lambda: "Check the coordinate system" in dialog.findChild(QLabel, "list_said").text(),
             timeout=WAIT_MS,
         )
         picked.bot.keyClick(dialog, Key.Key_Escape)

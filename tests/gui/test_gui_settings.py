@@ -215,7 +215,7 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
     qtbot.keyClicks(editor.title, "Profiler 16")
     assert editor.said.text() == ""
     qtbot.mouseClick(editor.keep, Left)
-    assert "where the figures come from" in editor.said.text()
+    assert "source of the specifications" in editor.said.text()
     assert editor.parts[0].origin.source.hasFocus()
     assert not editor.keep.isEnabled()
     qtbot.keyClicks(editor.parts[0].origin.source, "Certificate")
@@ -231,9 +231,9 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
     qtbot.keyClicks(pos.title, "My INS")
     assert pos.said.text() == ""
     qtbot.mouseClick(pos.keep, Left)
-    assert "where the figures come from" in pos.said.text()
+    assert "source of the specifications" in pos.said.text()
     pos.parts[1].stated.setChecked(False)
-    assert "one GNSS solution at least" in pos.said.text()
+    assert "at least one GNSS solution" in pos.said.text()
 
 
 def test_a_broken_file_is_named_above_the_buttons(

@@ -97,7 +97,7 @@ def test_a_folder_without_projects_is_told(driver: Driver, tmp_path: Path) -> No
     driver.bot.keyClick(driver.window, Key.Key_F11)
     driver.rest()
     (error,) = driver.dialogs.errors
-    assert "there is no project in it" in str(error)
+    assert error.code == "history.no_project"
 
 
 def test_fewer_points_and_more(adjusted: Driver) -> None:

@@ -1097,8 +1097,8 @@
         <translation>Le fichier nomme un système de coordonnées, mais ses coordonnées sont assez petites pour le repère du scanneur : vérifiez duquel il s&apos;agit.</translation>
     </message>
     <message>
-        <source>Points lie up to {farthest:n} from the origin, farther than a vessel&apos;s scanner sees: check the unit (feet, millimetres?) and the frame.</source>
-        <translation>Des points sont à {farthest} de l&apos;origine, plus loin que ne voit le scanneur d&apos;un navire : vérifiez l&apos;unité (pieds, millimètres ?) et le repère.</translation>
+        <source>Points lie up to {farthest:n} from the origin, farther than a vessel&apos;s scanner sees: check the frame and the unit (feet, millimetres?).</source>
+        <translation>Des points sont à {farthest} de l&apos;origine, plus loin que ne voit le scanneur d&apos;un navire : vérifiez le repère et l&apos;unité (pieds, millimètres ?).</translation>
     </message>
     <message>
         <source>All points lie {away:n} or more from the origin, so it is hardly the scanner: check the frame.</source>

@@ -1,0 +1,70 @@
+"""Texts of messages about exported files and reports."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- export --------------------------------------------------------------------------------
+    "export.no_points": N_("{line}: this line holds no points. Leave it out."),
+    "export.outside_trajectory": N_(
+        "{line}: none of its {count:n} points lies within the trajectory ({start:s.1} to "
+        "{end:s.1} s). Check the date and the time base, or leave the line out."
+    ),
+    "export.own_file": N_("{file} is a file of the survey itself. Choose another name or folder."),
+    "export.own_trajectory": N_(
+        "{file} is the trajectory of the survey itself. Choose another name."
+    ),
+    "export.sphere": N_("{target} is a sphere, which a plane file cannot hold. Leave it out."),
+    "export.no_planar_target": N_(
+        "{project}: there is no planar target to export. Pick one first."
+    ),
+    "export.no_target": N_("{project}: there is no target to export. Pick one first."),
+    "export.bad_epoch": N_("The epoch {epoch} is not a date as a decimal year, such as 2024.5."),
+    "export.epoch_without_datum": N_(
+        "The epoch {epoch} has no effect without the datum of the trajectory. Give the datum "
+        "too (for example EPSG:7912 for ITRF2014), or leave the epoch out."
+    ),
+    "export.different_datums": N_(
+        "The lines are read with different datums of the trajectory ({datums:names}). Choose "
+        "which datum and epoch to use."
+    ),
+    "export.local_frame_options": N_(
+        "The local frame has its own heights and datum. Give a coordinate system, or leave out "
+        "heights, datum and epoch."
+    ),
+    "export.no_system": N_(
+        "No coordinate system is given and the lines specify none. Give its EPSG code ({zone} "
+        "is the UTM zone of the trajectory), or {local} for the local frame (North, West, Up)."
+    ),
+    "export.different_systems": N_(
+        "The lines are in different coordinate systems ({systems:names}). Choose which one to "
+        "write."
+    ),
+    # -- report --------------------------------------------------------------------------------
+    "report.ending": N_(
+        "{file}: a report is written as {formats:choices}. Use one of these endings."
+    ),
+    "report.format": N_("A report is written as {formats:choices}, not as {format}."),
+    # -- report_template -----------------------------------------------------------------------
+    "report_template.not_toml": N_(
+        "{file}: this report template is not a TOML file ({reason}). It holds lines such as "
+        'company = "Levés du Fleuve".'
+    ),
+    "report_template.unknown_key": N_(
+        "{file}: a report template has no {key}. It can have {keys:names}."
+    ),
+    "report_template.not_text": N_("{file}: {key} must be text in quotation marks."),
+    "report_template.refused": N_("{file}: the report template cannot be used. {reason}"),
+    "report_template.no_page": N_("There is no page size {page}. Choose one of {pages:choices}."),
+    "report_template.logo_elsewhere": N_(
+        "The logo {logo} is not in the folder of the template. Copy the picture into it."
+    ),
+    "report_template.logo_format": N_(
+        "{logo}: a logo must be a PNG or SVG picture, and this file is neither."
+    ),
+    "report_template.long_text": N_(
+        "{key} is longer than {limit:n} letters or holds a letter that cannot be printed. "
+        "Change it."
+    ),
+}

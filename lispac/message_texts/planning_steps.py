@@ -1,0 +1,125 @@
+"""Texts of messages about survey plans, simulations and clusters of computers."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Plural, Template
+
+TEXTS: Mapping[str, Template] = {
+    # -- cluster -------------------------------------------------------------------------------
+    "cluster.not_installed": N_(
+        "Campaigns on several computers need the package distributed. Run python -m pip install "
+        "-e '.[cluster]' in the checkout, on this computer and on the workers."
+    ),
+    "cluster.no_scheduler": N_(
+        "{address}: no scheduler answered within {limit:s.0} s. Start one with `dask "
+        "scheduler`, and check the address that it prints and the firewall."
+    ),
+    "cluster.no_workers": N_(
+        "{address}: the scheduler has no workers. Start one on each computer with `dask worker "
+        "{address} --nworkers auto --nthreads 1`."
+    ),
+    "cluster.scheduler_version": N_(
+        "The scheduler {address} runs LISPAC {version}, but this computer runs {expected}. "
+        "Install the same version on all computers."
+    ),
+    "cluster.scheduler_without_version": N_(
+        "The scheduler {address} did not report its version of LISPAC ({reason}). Install "
+        "LISPAC {expected} there, as on this computer."
+    ),
+    "cluster.worker_version": N_(
+        "The worker {address} runs LISPAC {version}, but this computer runs {expected}. Install "
+        "the same version on all computers."
+    ),
+    "cluster.worker_without_version": N_(
+        "The worker {address} did not report its version of LISPAC ({reason}). Install LISPAC "
+        "{expected} there, as on this computer."
+    ),
+    "cluster.late_worker_version": N_(
+        "A worker that joined later runs LISPAC {version}, but the campaign was started with "
+        "{expected}. Install the same version on all computers."
+    ),
+    "cluster.worker_lost_repeatedly": Plural(
+        "{address}: one calculation ended its worker {times:n} times. The worker has too little "
+        "memory or is stopped from outside.",
+        "{address}: the same {count:n} calculations ended their worker {times:n} times. The "
+        "worker has too little memory or is stopped from outside.",
+    ),
+    "cluster.no_workers_left": N_(
+        "{address}: no workers are left. Start them and the campaign again."
+    ),
+    "cluster.connection_lost": N_(
+        "{address}: the connection to the scheduler or its workers was lost. Start the campaign "
+        "again."
+    ),
+    "cluster.bad_address": N_(
+        "{address} is not the address of a scheduler. Write it as tls://HOST:PORT, for example "
+        "tls://192.168.1.20:8786."
+    ),
+    "cluster.plain_tcp_refused": N_(
+        "{address}: TCP is neither encrypted nor authenticated, so others in the network could "
+        "run programs on this computer and on the workers. Use TLS certificates and tls://, or "
+        "accept the risk with --plain-tcp."
+    ),
+    "cluster.no_certificates": N_(
+        "{address}: TLS needs certificates. Give them with --cluster-tls CA CERTIFICATE KEY, or "
+        "in the configuration of dask."
+    ),
+    "cluster.unusable_certificates": N_(
+        "{address}: the TLS certificates cannot be used ({reason}). Check the files of the "
+        "authority, the certificate and the key."
+    ),
+    # -- plan_survey ---------------------------------------------------------------------------
+    "plan_survey.process_ended": N_(
+        "A process of this run was ended from outside, perhaps for lack of memory. Close other "
+        "programs or use fewer processes (--workers), and start again."
+    ),
+    "plan_survey.one_orientation": N_(
+        "All targets face the same way, so the adjustment refuses them. Add a target with a "
+        "different inclination."
+    ),
+    "plan_survey.folder_not_created": N_(
+        "{folder}: this folder cannot be created ({reason}). Choose another folder."
+    ),
+    "plan_survey.no_target_measured": N_(
+        "{project} has no target of this plan. Targets are matched by name ({targets:names}), "
+        "lines by heading."
+    ),
+    "plan_survey.no_line_measured": N_(
+        "{project} has no line of this plan. Targets are matched by name ({targets:names}), "
+        "lines by heading."
+    ),
+    # -- simulate ------------------------------------------------------------------------------
+    "simulate.line_without_points": N_(
+        "Line {line} sees nothing of the scene. Move its course closer, or widen the angular "
+        "window of the scanner."
+    ),
+    "simulate.folder_is_file": N_("{folder} is a file. Choose a folder for the simulated survey."),
+    "simulate.folder_in_use": N_("{folder}: this folder holds other files. Choose a new one."),
+    "simulate.no_scene": N_(
+        "There is no scene named {name}. Give one of {known:names}, or a file that ends in .toml."
+    ),
+    "simulate.no_vessel": N_(
+        "There is no vessel named {name}. Give one of {known:names}, or a file that ends in .toml."
+    ),
+    "simulate.no_scanner": N_(
+        "There is no scanner named {name}. Give one of {known:names}, or a file that ends in .toml."
+    ),
+    "simulate.no_trajectory": N_(
+        "{file}: the lines have start_s, so a recorded trajectory is needed. Give --trajectory, "
+        "or trajectory in the scene."
+    ),
+    "simulate.no_origin": N_("{file}: [origin] is missing. Give the position of the scene."),
+    "simulate.too_long": N_(
+        "{file}: with {vessel} the survey takes {duration:h.0} h, and no more than {limit:h.0} "
+        "h are simulated. Correct run_in_m and run_out_m, or speed_m_s, transit_s and wait_s of "
+        "the vessel."
+    ),
+    "simulate.lines_by_heading": N_(
+        "{file}: the lines are headings to be sailed, so {trajectory} cannot be replayed. Give "
+        "each of its [[lines]] start_s, stop_s and side instead, in the time of the trajectory."
+    ),
+    "simulate.origin_too_far": N_(
+        "{file}: the origin of the scene is {distance:km} km from {trajectory}. Correct "
+        "[origin], or leave it out to use the mean of the trajectory."
+    ),
+}
