@@ -9,13 +9,20 @@ from collections.abc import Mapping
 from typing import Any
 
 from lispac.language import N_, Template, text_of
-from lispac.message_texts import importing, program
+from lispac.message_texts import (
+    adjustment_warnings,
+    importing,
+    items,
+    program,
+    project_warnings,
+    report_warnings,
+)
 from lispac.messages import Action, Message, Value
 
 CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
 """Characters of Unicode's category Cc, with what replaces them."""
 
-TOPICS = (importing, program)
+TOPICS = (adjustment_warnings, importing, items, program, project_warnings, report_warnings)
 
 TEXTS: Mapping[str, Template] = {
     code: text for topic in TOPICS for code, text in topic.TEXTS.items()
@@ -42,10 +49,15 @@ def action_text(action: Action) -> str:
 
 def _rendered(params: Mapping[str, Value]) -> dict[str, Any]:
     """The parameters with messages among them as texts."""
-    return {
-        name: message_text(value) if isinstance(value, Message) else value
-        for name, value in params.items()
-    }
+    return {name: _with_text(value) for name, value in params.items()}
+
+
+def _with_text(value: Value) -> Any:
+    if isinstance(value, Message):
+        return message_text(value)
+    if isinstance(value, str | int | float):
+        return value
+    return [_with_text(each) for each in value]
 
 
 def _one_line(text: str) -> str:

@@ -227,7 +227,7 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
         yield
     except (NotConverged, RankDeficient) as error:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
-        alone = [plain(doubt.text) for doubt in single_line_targets(project.targets)]
+        alone = [plain(message_text(each)) for each in single_line_targets(project.targets)]
         more = [*alone, *(message_text(each) for each in warnings[:MOST_WARNINGS])]
         raise type(error)(" ".join([str(error), *more])) from None
 

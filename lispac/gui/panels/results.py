@@ -17,13 +17,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.doubts import HIGH_CORRELATION
+from lispac.adjustment.doubts import HIGH_CORRELATION, doubts
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import project_doubts
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say, say_all, say_message
 from lispac.gui.panels import result_words, widgets
 from lispac.gui.panels.mounting_words import boresight_said
 from lispac.project import Project, Triple
@@ -159,8 +159,8 @@ class ResultsPanel(QWidget):
         also = list(project_doubts(project))
         if older:
             also.insert(0, refused_since(older))
-        warnings = result_words.warnings(result, project.cross_checks, also)
-        self.warnings.setText("<br><br>".join(escape(say(each)) for each in warnings))
+        warnings = doubts(result, project.cross_checks, also)
+        self.warnings.setText("<br><br>".join(escape(say_message(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
         self.parameters.setText(units.signs(say(rows), "m", "°"))
