@@ -73,7 +73,7 @@ def report_content(
     convention: str = "",
     budget: ErrorBudget | None = None,
     trajectory: Sequence[TrajectoryOnLine] = (),
-    refused: str | Message = "",
+    refused: Message | str = "",
     digests: bool = True,
     progress: Progress = no_progress,
 ) -> ReportContent:

@@ -37,7 +37,7 @@ def warnings_of(
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     *,
     refusal: str = "",
-    refused_since: str = "",
+    refused_since: Message | str = "",
     stale: bool = False,
     storage: str = "",
 ) -> tuple[Message, ...]:
@@ -49,7 +49,7 @@ def warnings_of(
         None while the data are not loaded.
     qualities : of the sightings, by the names of target and line, as far as they are known
     refusal : why no result follows from the last edit, in words
-    refused_since : why an estimate was refused that was asked for after the result, in words
+    refused_since : why an estimate was refused that was asked for after the result
     stale : whether there was a result that an edit has dropped
     storage : what is wrong with keeping the project, in words
     """
