@@ -28,7 +28,7 @@ class Level(StrEnum):
     WARNING = "warning"
     """The result may be wrong or less precise than stated."""
     NOTE = "note"
-    """Information that needs no action."""
+    """Something to know or to check; the result can be used."""
 
 
 @dataclass(frozen=True)
@@ -119,5 +119,5 @@ def warning(
 def note(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
 ) -> Message:
-    """A message that needs no action."""
+    """A message about something to know or to check; the result can be used."""
     return Message(code, Level.NOTE, params, subject, tuple(actions))
