@@ -12,12 +12,10 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.doubt import MOST_NAMED, Doubt, some
 from lispac.adjustment.doubts import doubts
-from lispac.adjustment.shown import listed
+from lispac.adjustment.doubts_of_causes import SAME_ON_LINES, effect_of
 from lispac.causes import RESULT, Cause
-from lispac.message_texts import message_text
-from lispac.messages import Level, Message
+from lispac.messages import Level, Message, Value, note, shortened, warning
 from lispac.picks import PickedSighting, Target
 from lispac.project import Project
 
@@ -55,11 +53,6 @@ class Overlap:
     def is_same(self) -> bool:
         """Whether both are the same surface."""
         return self.share > SAME
-
-    @property
-    def where(self) -> str:
-        """``89 % on L1``."""
-        return f"{100 * self.share:.0f}\u00a0% on {self.line}"
 
 
 def overlaps(targets: Iterable[Target]) -> tuple[Overlap, ...]:
@@ -106,59 +99,49 @@ def overlap_words(target: Target, others: Iterable[Target]) -> str:
     )
 
 
-def doubles(project: Project) -> tuple[Doubt, ...]:
-    """What there is to know of an answer whose targets share points, serious things first."""
+def doubles(project: Project) -> tuple[Message, ...]:
+    """Warnings about targets that share points, then notes."""
     return _doubles(project.targets)
 
 
 # The window asks for the same targets at every move of a progress bar.
 @lru_cache(maxsize=2)
-def _doubles(targets: tuple[Target, ...]) -> tuple[Doubt, ...]:
+def _doubles(targets: tuple[Target, ...]) -> tuple[Message, ...]:
     role = {target.name: target.role for target in targets}
     found = overlaps(targets)
     twice = [each for each in found if role[each.one] == role[each.other] == "target"]
     mixed = [each for each in found if role[each.one] != role[each.other]]
-    told = []
+    messages = []
     if twice:
-        each_two = "the two" if len(twice) == 1 else "each two"
-        told.append(
-            Doubt(
-                "counted_twice",
-                True,
-                f"Targets have points in common: {_named(twice)}. These points count twice, and "
-                f"the sigmas of the angles come out too small; leave one of {each_two} out.",
-                _at(twice[0]),
+        messages.append(
+            warning(
+                "targets.counted_twice",
+                count=len(twice), pairs=_pairs(twice), subject=_at(twice[0]),
             )
-        )
+        )  # fmt: skip
     if mixed:
         turned = [each if role[each.one] == "validation" else _turned(each) for each in mixed]
-        one = len(mixed) == 1
-        told.append(
-            Doubt(
-                "no_independent_check",
-                False,
-                f"{'A validation plane has' if one else 'Validation planes have'} points in common "
-                f"with {'a target' if one else 'targets'}: {_named(turned)}. "
-                f"{'It is' if one else 'They are'} no independent check of the angles; leave one "
-                f"of {'the' if one else 'each'} two out.",
-                _at(mixed[0]),
+        messages.append(
+            note(
+                "targets.no_independent_check",
+                count=len(mixed), pairs=_pairs(turned), subject=_at(mixed[0]),
             )
-        )
-    return tuple(told)
+        )  # fmt: skip
+    return tuple(messages)
 
 
-def doubts_of(project: Project, also: Iterable[Doubt] = ()) -> tuple[Doubt, ...]:
-    """All doubts about a project, with an answer or without one, serious things first."""
+def doubts_of(project: Project, also: Iterable[Message] = ()) -> tuple[Message, ...]:
+    """All warnings about a project with a result or without one, then notes."""
     also = (*project_doubts(project), *also)
     return doubts(project.result, project.cross_checks, also) if project.result else also
 
 
-def project_doubts(project: Project) -> tuple[Doubt, ...]:
-    """Doubts that follow from picks and files, before any adjustment."""
+def project_doubts(project: Project) -> tuple[Message, ...]:
+    """Warnings that follow from picks and files, before any adjustment."""
     return (*doubles(project), *single_line_targets(project.targets), *data_warnings(project))
 
 
-def single_line_targets(targets: Iterable[Target]) -> tuple[Doubt, ...]:
+def single_line_targets(targets: Iterable[Target]) -> tuple[Message, ...]:
     """Targets that are excluded because only one line shows them."""
     alone = [
         target
@@ -167,19 +150,15 @@ def single_line_targets(targets: Iterable[Target]) -> tuple[Doubt, ...]:
     ]
     if not alone:
         return ()
-    named = [f"{target.name} on line {target.used_sightings[0].line}" for target in alone]
-    return (
-        Doubt(
-            "single_line_targets",
-            False,
-            f"Excluded, because only one line shows them: {some(named)}. Seed them on other lines, "
-            "or remove them.",
-            Cause.of_target(alone[0].name),
-        ),
-    )
+    sightings = [
+        note("item.sighting", target=target.name, line=target.used_sightings[0].line)
+        for target in alone
+    ]
+    first = Cause.of_target(alone[0].name)
+    return (note("targets.single_line_targets", sightings=shortened(sightings), subject=first),)
 
 
-def data_warnings(project: Project) -> tuple[Doubt, ...]:
+def data_warnings(project: Project) -> tuple[Message, ...]:
     """Warnings about the imported files, which apply to every result computed from them.
 
     Lines with the same warning are named after the first one.
@@ -189,21 +168,18 @@ def data_warnings(project: Project) -> tuple[Doubt, ...]:
         if message.level is not Level.NOTE:
             groups.setdefault(message.code, []).append(message)
     found = []
-    for code, (first, *others) in groups.items():
-        text = message_text(first)
-        if lines := [each.subject.name for each in others if each.subject is not None]:
-            text += f" The same applies to {listed(lines)}."
-        effects = [_effect(each) for each in (first, *others)]
+    for first, *others in groups.values():
+        lines = [each.subject.name for each in others if each.subject is not None]
+        if not lines:
+            found.append(replace(first, subject=first.subject or RESULT))
+            continue
+        params: dict[str, Value] = {"reason": first, "lines": lines}
+        effects = [effect_of(each) for each in (first, *others)]
         known = [each for each in effects if each is not None]
-        effect = max(known) if len(known) == len(effects) else None
-        found.append(Doubt(code, True, text, first.subject or RESULT, effect))
+        if len(known) == len(effects):
+            params["effect"] = max(known)
+        found.append(Message(SAME_ON_LINES, first.level, params, first.subject or RESULT))
     return tuple(found)
-
-
-def _effect(message: Message) -> float | None:
-    """By how much what a message warns of displaces points, metres."""
-    value = message.params.get("shift", message.params.get("misfit"))
-    return float(value) if isinstance(value, int | float) else None
 
 
 def _at(found: Overlap) -> Cause:
@@ -214,11 +190,17 @@ def _turned(found: Overlap) -> Overlap:
     return replace(found, one=found.other, other=found.one)
 
 
-def _named(found: Sequence[Overlap]) -> str:
-    """The first few, and how many more there are."""
-    named = [f"{each.one} with {each.other} ({each.where})" for each in found[:MOST_NAMED]]
-    more = len(found) - len(named)
-    return ", ".join(named) + (f" and {more} more" if more else "")
+def _pairs(found: Sequence[Overlap]) -> tuple[str | Message, ...]:
+    """Pairs of targets for a message."""
+    return shortened(
+        [
+            note(
+                "item.points_in_common",
+                one=each.one, other=each.other, share=each.share, line=each.line,
+            )
+            for each in found
+        ]
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

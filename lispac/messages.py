@@ -4,16 +4,20 @@ A message holds SI numbers and names, never formatted text. `lispac.message_text
 text; no other code looks at the words of a message.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import Union
+from math import isfinite
+from typing import Any, Union
 
 from lispac.causes import Cause
 
-Value = Union[str, int, float, Sequence[str], "Message"]
-"""A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios), names, or a
-message that is part of this one."""
+Value = Union[str, int, float, "Message", Sequence[Union[str, "Message"]]]
+"""A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios), names, or
+messages that are part of this one."""
+
+MAX_LISTED = 4
+"""Items of a list that are named one by one; of more the number is given."""
 
 
 class Level(StrEnum):
@@ -24,7 +28,7 @@ class Level(StrEnum):
     WARNING = "warning"
     """The result may be wrong or less precise than stated."""
     NOTE = "note"
-    """Information that needs no action."""
+    """Something to know or to check; the result can be used."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,38 @@ class Message:
     subject: Cause | None = None
     actions: tuple[Action, ...] = ()
 
+    @property
+    def is_serious(self) -> bool:
+        """Whether the result cannot be used or may be wrong: more than a note."""
+        return self.level is not Level.NOTE
+
+
+def by_level(messages: Iterable[Message]) -> tuple[Message, ...]:
+    """Errors first, then warnings, then notes; the order within a level stays."""
+    order = list(Level)
+    return tuple(sorted(messages, key=lambda message: order.index(message.level)))
+
+
+def shortened(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
+    """The first items of a list, and how many more there are."""
+    rest = len(items) - MAX_LISTED
+    return (*items[:MAX_LISTED], note("item.more", count=rest)) if rest > 0 else tuple(items)
+
+
+def plain_params(message: Message) -> dict[str, Any]:
+    """Parameters as JSON has them; messages among them with code and parameters."""
+    return {name: _plain(value) for name, value in message.params.items()}
+
+
+def _plain(value: Value) -> Any:
+    if isinstance(value, Message):
+        return {"code": value.code, "params": plain_params(value)}
+    if isinstance(value, float):
+        return value if isfinite(value) else None
+    if isinstance(value, str | int):
+        return value
+    return [_plain(each) for each in value]
+
 
 def error(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
@@ -83,5 +119,5 @@ def warning(
 def note(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
 ) -> Message:
-    """A message that needs no action."""
+    """A message about something to know or to check; the result can be used."""
     return Message(code, Level.NOTE, params, subject, tuple(actions))

@@ -147,7 +147,7 @@ def answer(kind: str, seed: int) -> Answer:
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
-        tuple(doubt.code for doubt in doubts(result, None) if doubt.serious),
+        tuple(doubt.code for doubt in doubts(result, None) if doubt.is_serious),
         result.stated_times is not None,
     )
 

@@ -24,6 +24,7 @@ from lispac.adjustment.doubts import doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.message_texts import message_text
 from lispac.simulation.closed_form import exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.workflow.calibration import estimate
@@ -40,8 +41,9 @@ from tests.natural_scenes import natural_site, opened
 from tests.test_targetless_coverage import surveyed
 
 OF_GEOMETRY = {
-    "large_sigma", "line_unchecked", "target_unchecked", "targets_clustered", "carried_by_one",
-    "one_facing",
+    "adjustment.large_sigma", "adjustment.large_sigma_unseen", "adjustment.line_unchecked",
+    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
+    "adjustment.one_facing",
 }  # fmt: skip
 """Codes of warnings that are true of a right survey too."""
 
@@ -113,10 +115,10 @@ def false_warnings(kind: str, seed: int) -> tuple[str, ...] | None:
     except (AdjustmentError, TargetNotFound) as error:
         print(kind, seed, str(error)[:100])
         return None
-    found = [each for each in doubts(result, checks) if each.serious]
+    found = [each for each in doubts(result, checks) if each.is_serious]
     for each in found:
         if each.code not in OF_GEOMETRY:
-            print(kind, seed, each.code, each.text[:260], flush=True)
+            print(kind, seed, each.code, message_text(each)[:260], flush=True)
     return tuple({each.code for each in found if each.code not in OF_GEOMETRY})
 
 

@@ -145,7 +145,7 @@ def answer(seed: int) -> Answer:
         np.degrees(proposal.sigma),
         sum(target.role == "target" for target in proposal.targets),
         len(seen.echoes),
-        tuple(d.code for d in doubts(result, solved.cross_checks) if d.serious),
+        tuple(d.code for d in doubts(result, solved.cross_checks) if d.is_serious),
     )
 
 

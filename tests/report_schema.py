@@ -4,13 +4,14 @@
 """
 
 import json
+from dataclasses import MISSING, field, fields, make_dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter
 
-from lispac.report.json_report import NAME, SCHEMA_FILE, SCHEMA_VERSION
+from lispac.report.json_report import NAME, SCHEMA_FILE, SCHEMA_VERSION, Caution
 from lispac.report.values import ReportContent
 
 PATH = Path(__file__).resolve().parents[1] / "resources" / SCHEMA_FILE
@@ -22,7 +23,7 @@ ABOUT = (
 
 def schema_text() -> str:
     """The schema as the file holds it."""
-    made = _plain(TypeAdapter(ReportContent).json_schema(mode="serialization"))
+    made = _plain(TypeAdapter(_in_json()).json_schema(mode="serialization"))
     head = {
         "schema": {"const": NAME},
         "schema_version": {"const": SCHEMA_VERSION},
@@ -37,6 +38,18 @@ def schema_text() -> str:
         "$defs": made["$defs"],
     }
     return json.dumps(schema, indent=1, ensure_ascii=False) + "\n"
+
+
+def _in_json() -> type:
+    """The content with its messages as they are in JSON."""
+    hints = get_type_hints(ReportContent) | {"cautions": tuple[Caution, ...]}
+    each = [
+        (it.name, hints[it.name], field(default=it.default))
+        if it.default is not MISSING
+        else (it.name, hints[it.name])
+        for it in fields(ReportContent)
+    ]
+    return make_dataclass("ReportContent", each, namespace={"__doc__": ReportContent.__doc__})
 
 
 def _plain(value: Any, *, named: bool = False) -> Any:

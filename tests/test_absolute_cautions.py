@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.message_texts import message_text
+from lispac.messages import Level
 from lispac.report.absolute_values import Absolute
 from lispac.report.blocks import Paragraph
 from lispac.report.document import in_english
@@ -47,30 +49,34 @@ def check(
     )  # fmt: skip
 
 
-def told(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[str, str]]:
+def told(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[Level, str]]:
     content = sample_content(sample_project(folder).with_absolute(found))
-    return {c.code: (c.severity, c.text) for c in content.cautions if c.code.startswith("absolute")}
+    return {
+        each.code: (each.level, message_text(each))
+        for each in content.cautions
+        if each.code.startswith("report.absolute")
+    }
 
 
 @pytest.mark.parametrize(
-    ("off", "severity"),
-    [(0.023, None), (0.028, "caution"), (-0.028, "caution"), (0.033, "serious")],
+    ("off", "level"),
+    [(0.023, None), (0.028, Level.NOTE), (-0.028, Level.NOTE), (0.033, Level.WARNING)],
 )
-def test_a_single_line(tmp_path: Path, off: float, severity: str | None) -> None:
+def test_a_single_line(tmp_path: Path, off: float, level: Level | None) -> None:
     found = told(tmp_path, check({"L3": off}))
-    if severity is None:
+    if level is None:
         assert found == {}
         return
     ((code, (how, text)),) = found.items()
-    assert (code, how) == ("absolute_line_off", severity)
-    assert "1 of 6 lines is off by more than its own errors explain" in text
-    assert f"L3 ({1000 * off:+.1f} mm, ± 23.5 mm)" in text.replace("\N{MINUS SIGN}", "-")
-    assert ("by chance" in text) == (severity == "caution")
+    by_chance = "_by_chance" if level is Level.NOTE else ""
+    assert (code, how) == (f"report.absolute_line_off{by_chance}", level)
+    assert "1 of 6 lines is off by more than its errors explain" in text
+    assert f"L3 ({1000 * off:+.1f} mm, ± 23.5 mm)" in text
 
 
 def test_several_lines_agree_in_number(tmp_path: Path) -> None:
     (text,) = (t for _, t in told(tmp_path, check({"L1": 0.03, "L2": 0.03})).values())
-    assert "2 of 6 lines are off by more than their own errors explain" in text
+    assert "2 of 6 lines are off by more than their errors explain" in text
 
 
 def test_surveyed_planes(tmp_path: Path) -> None:
@@ -80,25 +86,34 @@ def test_surveyed_planes(tmp_path: Path) -> None:
     good, unknown = plane("T1", -0.004, 0.025), plane("OLD", -0.2, None)
     assert told(tmp_path, check({}, points=(good, unknown))) == {}
     found = told(tmp_path, check({}, points=(good, plane("T2", -0.1843, 0.025))))
-    assert found["absolute_point_off"][0] == "serious"
-    assert "(1 of 2)" in found["absolute_point_off"][1]
-    assert "T2 (\N{MINUS SIGN}184.3 mm, ± 25.0 mm)" in found["absolute_point_off"][1]
+    assert found["report.absolute_point_off"][0] is Level.WARNING
+    assert "from 1 of 2 surveyed" in found["report.absolute_point_off"][1]
+    assert "T2 (-184.3 mm, ± 25.0 mm)" in found["report.absolute_point_off"][1]
 
 
-@pytest.mark.parametrize(("times", "severity"), [(1.9, None), (2.5, "caution"), (3.7, "serious")])
-def test_the_rms(tmp_path: Path, times: float, severity: str | None) -> None:
+@pytest.mark.parametrize(("times", "level"), [(1.9, None), (2.5, Level.NOTE), (3.7, Level.WARNING)])
+def test_the_rms(tmp_path: Path, times: float, level: Level | None) -> None:
     found = told(tmp_path, check({}, rms=times * SIGMA))
-    assert found.get("absolute_rms", (None, ""))[0] == severity
-    if severity:
-        assert f"{times:.1f} times the 12.0 mm" in found["absolute_rms"][1]
+    assert found.get("report.absolute_rms", (None, ""))[0] == level
+    if level:
+        assert f"{times:.1f} times the 12.0 mm" in found["report.absolute_rms"][1]
 
 
-def test_page_one_has_a_line_of_every_check(tmp_path: Path) -> None:
-    for off in (0.0, 0.05):
-        found = check({ALL_LINES: off})
-        content = sample_content(sample_project(tmp_path).with_absolute(found))
-        document = in_english(content, {}, ReportOptions())
-        said = [b.text for b in document.summary if isinstance(b, Paragraph)]
-        said += document.serious
-        first = Absolute.of(found).in_words[0]
-        assert sum(first in text for text in said) == 1
+@pytest.mark.parametrize(
+    ("off", "code"),
+    [(0.0, None), (0.05, "report.absolute_nearer"), (-0.05, "report.absolute_farther")],
+)
+def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: str | None) -> None:
+    found = check({ALL_LINES: off})
+    content = sample_content(sample_project(tmp_path).with_absolute(found))
+    document = in_english(content, {}, ReportOptions())
+    first = Absolute.of(found).in_words[0]
+    said = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
+    warnings = [
+        each for each in content.cautions if "nearer" in each.code or "farther" in each.code
+    ]
+    assert [each.code for each in warnings] == ([] if code is None else [code])
+    assert len(said) + len(warnings) == 1
+    for each in warnings:
+        assert each.params["mean"] == abs(off)
+        assert message_text(each) in document.serious

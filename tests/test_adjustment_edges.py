@@ -403,7 +403,7 @@ def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None
     assert result.boresight == pytest.approx(without.boresight, abs=1e-12)
     checks = cross_checks(weightless, prior, result)
     assert "T5" not in {part.without for part in checks.parts}
-    assert "target_excluded" in {doubt.code for doubt in doubts(result, checks)}
+    assert "adjustment.target_excluded" in {doubt.code for doubt in doubts(result, checks)}
     # Where only two targets would be left to compare, the reason is given instead.
     two = weightless.without_targets([name for name in data.targets if name not in ("T1", "T5")])
     with pytest.raises(TargetDisagrees) as caught:

@@ -80,7 +80,7 @@ def test_a_bent_wall_without_a_common_part_is_excluded_and_the_rest_estimated() 
     assert kept.targets == ("T1", "T2")
     result = replace(adjust(kept, PRIOR, MODEL), common_parts=(wall,))
     assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
-    assert "target_parts" in {each.code for each in doubts(result, None)}
+    assert "adjustment.target_parts" in {each.code for each in doubts(result, None)}
 
 
 def test_boards_seen_whole_are_left_alone() -> None:

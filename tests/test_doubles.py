@@ -14,6 +14,7 @@ from lispac.cli.estimate import print_result, project_numbers
 from lispac.doubles import doubles, overlap_with, overlap_words, overlaps
 from lispac.gui.panels import result_words
 from lispac.gui.status import steps
+from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Role, Target
 from lispac.workflow.demo import demo_seeds
 from tests.report_sample import sample_content, sample_project
@@ -40,7 +41,6 @@ def test_the_share_is_that_of_the_smaller_one_on_the_line_where_it_is_largest() 
     (found,) = overlaps([BOARD, AGAIN])
     assert (found.one, found.other, found.line) == ("T2", "T6", "L1")
     assert found.share == pytest.approx(0.89)
-    assert found.where == "89\u00a0% on L1"
     small = picked("T7", {"L2": range(8500, 8600)})
     (found,) = overlaps([WALL, small])
     assert (found.smaller, found.share) == ("T7", 1.0)
@@ -94,10 +94,10 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
     ("second", "code", "serious", "words"),
     [
         (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1). These points count twice, "
-         "and the sigmas of the angles come out too small; leave one of the two out."),
+         "so the standard deviations of the angles are too small. Exclude one of the two."),
         (replace(AGAIN, role="validation"), "no_independent_check", False,
          "A validation plane has points in common with a target: T6 with T2 (89 % on L1). It "
-         "is no independent check of the angles; leave one of the two out."),
+         "does not check the angles independently. Exclude one of the two."),
     ],
 )  # fmt: skip
 def test_an_answer_with_shared_points_is_in_doubt_everywhere(
@@ -109,16 +109,15 @@ def test_an_answer_with_shared_points_is_in_doubt_everywhere(
     result, checks = both.result, both.cross_checks
     assert result is not None
     (doubt,) = doubles(both)
-    assert (doubt.code, doubt.serious) == (code, serious)
-    assert words in doubt.plain
+    assert (doubt.code, doubt.is_serious) == (f"targets.{code}", serious)
+    text = message_text(doubt)
+    assert words in text
     assert doubts(result, checks, doubles(both))[0] == doubt
     print_result(result, checks, doubles(both))
-    assert f"- {doubt.plain}\n" in capsys.readouterr().out
-    assert doubt.plain in [each["text"] for each in project_numbers(both)["doubts"]]
-    assert doubt.text in result_words.warnings(result, checks, doubles(both))
+    assert f"- {text}\n" in capsys.readouterr().out
+    assert text in [each["text"] for each in project_numbers(both)["doubts"]]
     assert "can be used" not in result_words.verdict(result, checks, doubles(both))
-    (caution,) = [each for each in sample_content(both).cautions if each.code == code]
-    assert (caution.text, caution.severity == "serious") == (doubt.text, serious)
+    assert doubt in sample_content(both).cautions
     step = steps(both, None, waiting=False, refusal="")[2]
     assert ("in doubt" in step.sentence) == serious
 
@@ -135,9 +134,10 @@ def test_what_takes_no_part_does_not_count(project: Project) -> None:
 def test_many_pairs_are_counted(project: Project) -> None:
     targets = tuple(replace(AGAIN, name=f"T{k}") for k in range(4))
     (doubt,) = doubles(replace(project, targets=targets))
-    assert "T0 with T1 (100 % on L1), " in doubt.plain
-    assert " and 2 more. These points" in doubt.plain
-    assert "one of each two" in doubt.plain
+    text = message_text(doubt)
+    assert "T0 with T1 (100 % on L1), " in text
+    assert " and 2 more. These points" in text
+    assert "one target of each pair" in text
 
 
 @pytest.mark.long

@@ -182,4 +182,4 @@ def test_the_scene_alone_agrees_with_the_whole_surfaces(drone, name: str) -> Non
     assert (off < 3).all(), off
     assert np.degrees(np.abs(result.boresight - whole.boresight)).max() < 0.1
     assert here.found.raised > 1.3
-    assert "not_flat" in {each.code for each in doubts(result, None)}
+    assert "adjustment.not_flat" in {each.code for each in doubts(result, None)}

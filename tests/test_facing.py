@@ -8,9 +8,9 @@ import pytest
 from lispac.adjustment.observability import RankDeficient
 from lispac.project import PickedSighting, Project
 from lispac.workflow.calibration import estimate
-from lispac.workflow.facing import ONE_FACING, face_one_way
+from lispac.workflow.facing import face_one_way
 from lispac.workflow.survey import Survey
-from lispac.workflow.warnings import concerns
+from lispac.workflow.warnings import warnings_of
 from tests.few_passes import picked
 
 
@@ -28,7 +28,9 @@ def test_it_is_said_of_what_the_estimate_refuses_and_of_nothing_else(
     for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
         few = only(project, *names)
         told[names] = face_one_way(few, survey)
-        assert told[names] == (ONE_FACING in [each.text for each in concerns(few, survey)])
+        assert told[names] == (
+            "project.one_facing" in [each.code for each in warnings_of(few, survey)]
+        )
         if told[names]:
             with pytest.raises(RankDeficient, match="face the same way"):
                 estimate(few, survey, cross_check=False)
@@ -45,7 +47,7 @@ def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
     assert face_one_way(alike, survey) != face_one_way(only(project, "T1"), survey)
     accepted = alike.with_settings(replace(alike.settings, accept_one_facing=True))
     assert not face_one_way(accepted, survey)
-    assert ONE_FACING not in [each.text for each in concerns(project, survey)]
+    assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 
 
 def test_nothing_is_said_where_a_ball_or_a_line_that_is_gone_leaves_it_open() -> None:

@@ -16,8 +16,21 @@ from lispac.errors import InputError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.values import decoded, encoded
 from lispac.language import LANGUAGES, Plural, Template, in_language, text_of
-from lispac.message_texts import ACTIONS, TEXTS, TOPICS
-from lispac.messages import Action, Level, Message, error
+from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
+from lispac.message_texts.former_codes import CODES, former_code
+from lispac.messages import (
+    MAX_LISTED,
+    Action,
+    Level,
+    Message,
+    by_level,
+    error,
+    note,
+    plain_params,
+    shortened,
+    warning,
+)
+from lispac.reverse_translation.messages import text_said
 from tests.message_calls import calls
 from tests.report_sample import sample_project
 
@@ -117,7 +130,12 @@ def test_every_code_is_used() -> None:
 
 def made_from_parts(code: str) -> bool:
     """Whether a code is made of its topic and a name: ``recovery.lever_arm_x``."""
-    return code.startswith(("audit.", "identity_field.", "recovery."))
+    return code.startswith(
+        (
+            "audit.", "identity_field.", "recovery.", "quantity.", "amount.", "change.",
+            "adjustment.contradicted_",
+        )
+    )  # fmt: skip
 
 
 def test_an_error_shows_its_message_in_the_language_in_use() -> None:
@@ -158,9 +176,62 @@ def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
             ("L1", Level.WARNING), ("L2", Level.WARNING), ("L3", Level.WARNING), ("L4", Level.NOTE)
         )
     )  # fmt: skip
-    (doubt,) = data_warnings(sample_project(tmp_path / "p").with_data_messages(messages))
-    assert (doubt.code, doubt.serious, doubt.cause) == (
-        "recovery.unexplained", True, Cause.of_line("L1"),
+    (found,) = data_warnings(sample_project(tmp_path / "p").with_data_messages(messages))
+    assert (found.code, found.level, found.subject) == (
+        "data.same_on_lines", Level.WARNING, Cause.of_line("L1"),
     )  # fmt: skip
-    assert "L2 and L3" in doubt.text
-    assert "L4" not in doubt.text
+    assert found.params == {"reason": messages[0], "lines": ["L2", "L3"], "effect": 0.05}
+    assert former_code(found) == "recovery.unexplained"
+    assert message_text(found).startswith(message_text(messages[0]))
+
+
+def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
+    names = list("ABCDEFGH")
+    assert shortened(names[:MAX_LISTED]) == tuple(names[:MAX_LISTED])
+    assert shortened(names) == (*names[:MAX_LISTED], note("item.more", count=4))
+    found = note("adjustment.target_excluded", targets=shortened(names))
+    assert "A, B, C, D and 4 more." in message_text(found)
+    with in_language("fr"):
+        assert "A, B, C, D et 4 autres." in message_text(found)
+
+
+def test_errors_come_before_warnings_and_these_before_notes() -> None:
+    one, two = note("report.simulated"), note("report.not_validated")
+    bad, worse = warning("report.not_calibrated"), error("project.refused", reason="So.")
+    assert by_level([one, bad, two, worse]) == (worse, bad, one, two)
+    assert [each.is_serious for each in (one, bad, worse)] == [False, True, True]
+
+
+def test_parameters_are_plain_in_json() -> None:
+    angle = note("quantity.roll")
+    found = warning(
+        "adjustment.large_sigma",
+        angles=(note("item.angle_sigma", angle=angle, sigma=0.01), "x"), ratio=float("nan"),
+    )  # fmt: skip
+    assert json.loads(json.dumps(plain_params(found), allow_nan=False)) == {
+        "angles": [
+            {
+                "code": "item.angle_sigma",
+                "params": {"angle": {"code": "quantity.roll", "params": {}}, "sigma": 0.01},
+            },
+            "x",
+        ],
+        "ratio": None,
+    }
+
+
+def test_sentences_within_messages_are_translated() -> None:
+    """Those that code without typed messages makes."""
+    inner = note("report.not_compared", reason="So.")
+    found = warning("data.same_on_lines", reason=inner, lines=("So.",))
+    assert text_said(found, {"So.": "Voilà."}.__getitem__) == (
+        "Not compared: Voilà. The same applies to So.."
+    )
+
+
+def test_former_codes_are_those_of_messages_that_exist() -> None:
+    names = {code.partition(".")[2] for code in TEXTS}
+    assert set(CODES) <= names
+    assert former_code(note("adjustment.contradicted_latency_alone")) == "contradicted_latency"
+    assert former_code(note("report.simulated")) == "simulated"
+    assert former_code(note("audit.no_range")) == "audit.no_range"

@@ -54,7 +54,7 @@ def test_targets_that_do_not_check_each_other_are_named() -> None:
     assert [target.role for target in proposal.targets].count("target") == 2
     codes = [warning.code for warning in proposal.warnings]
     assert UNCHECKED & set(codes)
-    assert codes[-1] == "proposal_unchecked"
+    assert codes[-1] == "targets.proposal_unchecked"
 
 
 @pytest.mark.long

@@ -12,6 +12,7 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac.causes import Cause
 from lispac.doubles import doubts_of
 from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
 from lispac.message_texts import message_text
@@ -54,14 +55,14 @@ def test_a_target_on_one_line_only_takes_no_part(
     np.testing.assert_array_equal(found.result.boresight, without.result.boresight)
     assert "T1" not in {each.target for each in found.result.targets}
     for told in (doubts_of(found), doubts_of(replace(single, result=None))):
-        (doubt,) = (each for each in told if each.code == "single_line_targets")
-        assert doubt.cause.name == "T1"
-    assert not any(each.code == "single_line_targets" for each in doubts_of(without))
+        (doubt,) = (each for each in told if each.code == "targets.single_line_targets")
+        assert doubt.subject == Cause.of_target("T1")
+    assert not any(each.code == "targets.single_line_targets" for each in doubts_of(without))
     report = report_content(
         found, headings_deg=dict.fromkeys(survey.lines, 0.0), counts={}, track_local={}, notes=(),
         generated=datetime(2026, 1, 1, tzinfo=UTC), digests=False,
     )  # fmt: skip
-    assert "single_line_targets" in {each.code for each in report.cautions}
+    assert "targets.single_line_targets" in {each.code for each in report.cautions}
 
 
 def test_targets_on_one_line_each_are_refused(calibrated: tuple[Project, Survey]) -> None:

@@ -19,6 +19,8 @@ from matplotlib.text import Text
 
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import InputError, LispacError
+from lispac.message_texts import message_text
+from lispac.messages import Level, note
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent
@@ -181,7 +183,7 @@ def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Pa
     moved = replace(project, trajectory=tmp_path / "gone.sbet")
     content = sample_content(moved)
     assert content.files[0].sha256 is None
-    assert "file_missing" in _codes(content)
+    assert "report.file_missing" in _codes(content)
     assert "not readable" in html_text(content, {})
 
 
@@ -196,17 +198,19 @@ def test_rules_speak_up(project: Project) -> None:
     high = replace(result, chi_square=replace(test, statistic=test.upper * 1.1))
     low = replace(result, chi_square=replace(test, statistic=test.lower * 0.9))
     none = replace(result, degrees_of_freedom=0, variance_factor=float("nan"))
-    assert "chi_square_high" in _codes(sample_content(replace(project, result=high)))
-    assert "chi_square_low" in _codes(sample_content(replace(project, result=low)))
-    assert "no_redundancy" in _codes(sample_content(replace(project, result=none)))
+    assert "report.chi_square_high" in _codes(sample_content(replace(project, result=high)))
+    assert "report.chi_square_low" in _codes(sample_content(replace(project, result=low)))
+    assert "report.no_redundancy" in _codes(sample_content(replace(project, result=none)))
     thesis = replace(result, model=StochasticModel("independent"))
-    assert "independent_pos_errors" in _codes(sample_content(replace(project, result=thesis)))
-    assert "not_validated" in _codes(sample_content(replace(project, validation=())))
+    assert "adjustment.independent_pos_errors" in _codes(
+        sample_content(replace(project, result=thesis))
+    )
+    assert "report.not_validated" in _codes(sample_content(replace(project, validation=())))
     plane = project.validation[0]
     worse = replace(plane, before=plane.after, after=plane.before)
     found = sample_content(replace(project, validation=(worse,)))
-    assert "validation_worse" in _codes(found)
-    assert found.cautions[0].severity == "serious"
+    assert "report.validation_worse" in _codes(found)
+    assert found.cautions[0].level is Level.WARNING
 
 
 def test_targets_seen_on_few_lines(project: Project) -> None:
@@ -214,20 +218,20 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
     few = replace(first, sightings=first.sightings[:1], missing={"L2": "no plane at the seed"})
     some = replace(second, sightings=second.sightings[:2])
     content = sample_content(replace(project, targets=(few, some, *rest)))
-    texts = [caution.text for caution in content.cautions]
-    codes = [c.code for c in content.cautions if "T1" in c.text]
-    assert codes == ["single_line_targets", "not_found"]
-    assert any("T2" in text and "2 of 6 lines" in text for text in texts)
+    codes = [each.code for each in content.cautions if "T1" in message_text(each)]
+    assert codes == ["targets.single_line_targets", "report.not_found_target"]
+    (few,) = [each for each in content.cautions if each.code == "report.target_on_few_lines"]
+    assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
     assert "T1 on L2: no plane at the seed" in html_text(content, {})
 
 
 def test_truth_of_a_simulated_survey(project: Project) -> None:
     content = sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6)))
     assert content.angles[0].error_deg == pytest.approx(0.43951 - 0.44)
-    assert {"simulated", "truth_outside"} <= _codes(content)
-    outside = next(c.text for c in content.cautions if c.code == "truth_outside")
-    assert "yaw" in outside
-    assert "roll" not in outside
+    assert {"report.simulated", "report.truth_outside"} <= _codes(content)
+    outside = next(c for c in content.cautions if c.code == "report.truth_outside")
+    assert note("quantity.yaw") in outside.params["angles"]
+    assert note("quantity.roll") not in outside.params["angles"]
 
 
 def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> None:
@@ -289,7 +293,7 @@ def test_uncalibrated_project_says_so_on_page_one(
 ) -> None:
     bare = replace(project, result=None, validation=())
     content = sample_content(bare if picked else replace(bare, targets=()))
-    assert content.cautions[0].code == "not_calibrated"
+    assert content.cautions[0].code == "report.not_calibrated"
     assert _page(html_text(content, {})).words[:30].count("NOT CALIBRATED") == 1
     write_json(content, tmp_path / "r.json")
     assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["calibrated"] is False

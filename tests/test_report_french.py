@@ -14,6 +14,7 @@ import pytest
 
 from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.language import in_language
 from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
 from lispac.report.blocks import Paragraph, Signature
@@ -58,7 +59,8 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 def _english_left(content: ReportContent) -> tuple[str, ...]:
     """What the translator did not know, and what it said that still looks English."""
     say = Translator(catalogue_of("fr"), names_of(content))
-    made = translated(drawn(in_english(content, {}), say), say)
+    with in_language("fr"):
+        made = translated(drawn(in_english(content, {}, FRENCH, say), say), say)
     english = re.compile(r"\b(the|of|and|or|to|is|was|were|are|with|from|by|its|they)\b")
     texts = json.dumps(asdict(made), default=lambda _: "", ensure_ascii=False).split('"')
     return (*say.unknown, *(text for text in texts if english.search(text)))
@@ -171,7 +173,7 @@ def test_second_opinions_are_told_in_french(project: Project) -> None:
         project = project.with_opinion(said)
     content = content_of_sample(project)
     assert [each.method for each in content.methods[1:]] == list(METHODS)
-    assert "methods_differ" in {each.code for each in content.cautions}
+    assert "report.methods_differ" in {each.code for each in content.cautions}
     assert _english_left(content) == ()
 
 
@@ -267,7 +269,8 @@ def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -
     content = content_of_sample(CASES[case][2](project))
     english = in_english(content, {})
     say = Translator(catalogue_of("fr"), names_of(content))
-    french = translated(english, say)
+    with in_language("fr"):
+        french = translated(in_english(content, {}, FRENCH, say), say)
     before, after = (json.dumps(asdict(d), default=lambda _: "") for d in (english, french))
     assert after.count(name) == before.count(name)
     made_up = ("These lines do not see it.", "T1 is the only target")

@@ -16,13 +16,13 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.identity import BLANK
+from lispac.messages import note
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, Page, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
-from lispac.report.values import Caution
 from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
 from lispac.survey.conventions.systems import SYSTEMS, system
 from lispac.survey.conventions.words import CHECK_FIRST
@@ -186,7 +186,8 @@ def test_page_one_ends_with_the_signature(
         "The angles were estimated once more with other targets, and the answer stayed as it was."
     )
     said = tuple(
-        Caution("odd", "caution", f"{k}: {remark} Nothing else is known.") for k in range(4)
+        note("report.not_compared", reason=f"{k}: {remark} Nothing else is known.")
+        for k in range(4)
     )
     content = replace(content, cautions=said)
     plane = content.validation[0]

@@ -80,8 +80,8 @@ def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: Target
 
     found = targetless(*with_scans(thinned, change), count=FEW)
     assert found.raised > 1.5
-    assert "sigmas_raised" in {each.code for each in doubts(found.result, None)}
-    assert "sigmas_raised" not in {each.code for each in doubts(clean.result, None)}
+    assert "adjustment.sigmas_raised" in {each.code for each in doubts(found.result, None)}
+    assert "adjustment.sigmas_raised" not in {each.code for each in doubts(clean.result, None)}
     assert (found.result.sigma > clean.result.sigma).all()
     # In the mean all are turned by half of it, which goes to roll and to roll alone.
     off = error(found, project) + [0.075, 0.0, 0.0]

@@ -223,15 +223,12 @@ MODULES: dict[str, set[str] | None] = {
         if path.name != "control_charts.py"
         and not path.name.startswith(("visibility_", "design_", "field_plan"))  # not in a report
     },
-    "adjustment/doubts.py": None,
-    "adjustment/doubts_of_sightings.py": None,
     "adjustment/error_budget.py": None,
     "adjustment/shown.py": None,
     "adjustment/observability.py": None,
     "adjustment/crosscheck.py": None,
     "adjustment/solver.py": None,
     "adjustment/iteration.py": None,
-    "doubles.py": {"doubles", "_named", "where"},
     "design/advice.py": None,
     "targets/quality.py": None,
     "targets/hidden.py": None,

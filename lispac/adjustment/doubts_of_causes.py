@@ -7,32 +7,38 @@ from typing import Self
 import numpy as np
 
 from lispac.adjustment.critical import critical_w
-from lispac.adjustment.doubt import Doubt
 from lispac.adjustment.doubts_of_sightings import MOST_JUMPED
+from lispac.adjustment.message_parts import amount, quantity
 from lispac.adjustment.omitted import OF_CONSEQUENCE
 from lispac.adjustment.parameters import SWITCHED
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CandidateCause, Contradiction
-from lispac.adjustment.shown import amount, listed, mm, parameter, signed, standing
-from lispac.causes import Cause
+from lispac.adjustment.shown import standing
+from lispac.causes import RESULT, Cause
+from lispac.messages import Message, note, warning
 
 KNOWN_FROM_DATA = {
-    "audit.several_scanners": "points of several scanners in one line",
-    "audit.several_sources": "points of several sources in one line",
-    "audit.same_time": "lines with points of the same time",
-    "audit.time_resolution": "coarse point times",
-    "recovery.height_offset": "an offset of the heights",
-    "recovery.time_offset": "an offset of the point times",
-    "recovery.lever_arm_x": "another lever arm behind the cloud",
-    "recovery.lever_arm_y": "another lever arm behind the cloud",
-    "recovery.lever_arm_z": "another lever arm behind the cloud",
-    "recovery.roll_sign": "a wrong sign of the attitude",
-    "recovery.pitch_sign": "a wrong sign of the attitude",
-    "recovery.roll_pitch_signs": "a wrong sign of the attitude",
-    "recovery.several_causes": "points that do not lie where the scanner measures",
-    "recovery.unexplained": "points that do not lie where the scanner measures",
-    "trajectory.rate_too_low": "a trajectory with too few states",
+    "audit.several_scanners": "cause.several_scanners",
+    "audit.several_sources": "cause.several_sources",
+    "audit.same_time": "cause.same_time",
+    "audit.time_resolution": "cause.time_resolution",
+    "recovery.height_offset": "cause.height_offset",
+    "recovery.time_offset": "cause.time_offset",
+    "recovery.lever_arm_x": "cause.lever_arm",
+    "recovery.lever_arm_y": "cause.lever_arm",
+    "recovery.lever_arm_z": "cause.lever_arm",
+    "recovery.roll_sign": "cause.attitude_sign",
+    "recovery.pitch_sign": "cause.attitude_sign",
+    "recovery.roll_pitch_signs": "cause.attitude_sign",
+    "recovery.several_causes": "cause.off_the_beams",
+    "recovery.unexplained": "cause.off_the_beams",
+    "trajectory.rate_too_low": "cause.rate_too_low",
 }
-"""Warnings about the imported data that explain residuals, and the error each of them finds."""
+"""Warnings about the imported data that explain residuals, and the code of the error."""
+SAME_ON_LINES = "data.same_on_lines"
+"""Code of a warning about the data of several lines: ``reason`` is that about the first one."""
+EFFECTS = ("effect", "shift", "misfit")
+"""Parameters of warnings about the data: by how much points are displaced, metres."""
+SURFACES_DIFFER = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
 EXPLAINS = 0.5
 """Effect of an error known from the data over that of a candidate from which it explains it."""
 
@@ -43,22 +49,25 @@ class Known:
 
     Attributes
     ----------
-    name : str
+    code : str
+        Of its name, ``cause.height_offset``.
     effect : float, metres
         By how much it displaces points; infinite where that is not known.
     """
 
-    name: str
+    code: str
     effect: float
 
     @classmethod
-    def among(cls, doubts: Iterable[Doubt]) -> Self | None:
+    def among(cls, warnings: Iterable[Message]) -> Self | None:
         """The one with the largest effect among warnings about the data."""
-        found = [
-            cls(KNOWN_FROM_DATA[each.code], np.inf if each.effect is None else each.effect)
-            for each in doubts
-            if each.code in KNOWN_FROM_DATA
-        ]
+        found = []
+        for each in warnings:
+            effect = effect_of(each)
+            first = each.params["reason"] if each.code == SAME_ON_LINES else each
+            if isinstance(first, Message) and first.code in KNOWN_FROM_DATA:
+                code = KNOWN_FROM_DATA[first.code]
+                found.append(cls(code, np.inf if effect is None else effect))
         return max(found, key=lambda each: each.effect, default=None)
 
     def explains(self, effect: float) -> bool:
@@ -66,42 +75,49 @@ class Known:
         return self.effect >= EXPLAINS * effect
 
 
+def effect_of(message: Message) -> float | None:
+    """By how much the error that a message is about displaces points, metres, where known."""
+    known = (message.params[name] for name in EFFECTS if name in message.params)
+    value = next(known, None)
+    return float(value) if isinstance(value, int | float) else None
+
+
 def cause_doubts(
-    result: AdjustmentResult, known: Known | None, others: Sequence[Doubt]
-) -> tuple[Doubt, ...]:
+    result: AdjustmentResult, known: Known | None, others: Sequence[Message]
+) -> tuple[Message, ...]:
     """Warnings about the errors behind the residuals, and the others that remain beside them.
 
     Parameters
     ----------
     known : Known or None
         What the imported data show.
-    others : sequence of Doubt
+    others : sequence of Message
         What else there is to warn of.
     """
     causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
     explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
     unexplained = [group for group in causes if group not in explained]
-    if any(each.code == "not_flat" for each in others):
+    if any(each.code == "adjustment.not_flat" for each in others):
         found = []  # the reason has a name, and too few lines tell any other one from it
     elif _has_too_few_lines(result):
         found = list(_not_located(unexplained))
     else:
         found = [
-            doubt
+            message
             for group in unexplained
-            for doubt in (_one(result, group[0]) if len(group) == 1 else _several(group))
+            for message in (_one(result, group[0]) if len(group) == 1 else _several(group))
         ]
     jumped = _jumped(result, causes)
     if any(len(group) == 1 and group[0].kind in SWITCHED for group in causes):
-        others = [each for each in others if each.code != "surfaces_differ"]
+        others = [each for each in others if each.code not in SURFACES_DIFFER]
     if known is None:
         return (*found, *jumped, *others)
     # These blame the targets or the LiDAR for residuals, which such an error explains.
     effects = {
-        "surfaces_differ": float(result.surfaces.max()),
-        "noise": result.rms_after,
-        "not_flat": result.rms_after,
-        "another_surface": result.rms_after,
+        **dict.fromkeys(SURFACES_DIFFER, float(result.surfaces.max())),
+        "adjustment.noise": result.rms_after,
+        "adjustment.not_flat": result.rms_after,
+        "adjustment.another_surface": result.rms_after,
     }
     kept = [
         each for each in others
@@ -118,134 +134,93 @@ def _has_too_few_lines(result: AdjustmentResult) -> bool:
     return seen is not None and any(each.kind == "line" for each in seen.unchecked)
 
 
-def _not_located(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Doubt]:
+def _not_located(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
     if causes:
         every = [cause for group in causes for cause in group]
-        yield Doubt(
-            "cause_not_located",
-            False,
-            "The residuals contradict the model. There are too few lines to tell the cause; "
-            f"possible causes: {_phrases(every)}. Add lines.",
-            _place(every[0]),
-        )
+        yield note("adjustment.cause_not_located", causes=_phrases(every), subject=_place(every[0]))
 
 
-def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Doubt]:
+def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:
     """The warning about a cause that is clearly better than all others."""
+    line, target = Cause.of_line(cause.line), Cause.of_target(cause.target)
+    of_line = warning if _many_lines(result, 1) else note
     if cause.kind in SWITCHED:
         yield _wrong_value(result, cause)
     elif cause.kind == "line_boresight":
-        angles = listed(
-            [
-                f"{angle} {signed(float(np.degrees(size)), 2)}\u00a0deg"
-                for angle, size in zip(ANGLES, cause.size, strict=True)
-            ]
-        )
-        yield Doubt(
-            "line_boresight",
-            True,
-            f"Line {cause.line} fits another boresight than the other lines ({angles}): it may be "
-            "of a second scanner, or the mounting moved. Calibrate it apart from the others, or "
-            "exclude it.",
-            Cause.of_line(cause.line),
+        differences = [
+            note("item.angle_difference", angle=quantity(angle), difference=float(size))
+            for angle, size in zip(ANGLES, cause.size, strict=True)
+        ]
+        yield warning(
+            "adjustment.line_boresight", line=cause.line, differences=differences, subject=line
         )
     elif cause.kind == "line_position":
-        yield Doubt(
-            "line_jumped",
-            _many_lines(result, 1),
-            f"The position on line {cause.line} is off by {mm(_length(cause))}\u00a0mm. Look at "
-            "the trajectory there, or exclude the line.",
-            Cause.of_line(cause.line),
+        yield of_line(
+            "adjustment.line_position", line=cause.line, shift=_length(cause), subject=line
         )
     elif cause.kind == "line_time":
-        yield Doubt(
-            "line_time",
-            _many_lines(result, 1),
-            f"The point times of line {cause.line} are {_off(cause)}. Check the time base and the "
-            "time shift of the line, or exclude it.",
-            Cause.of_line(cause.line),
-        )
+        code = "adjustment.line_times_early" if _is_early(cause) else "adjustment.line_times_late"
+        yield of_line(code, line=cause.line, offset=_length(cause), subject=line)
     elif cause.kind == "target_surface":
-        yield Doubt(
-            "target_not_flat",
-            False,
-            f"The residuals contradict the model, and the likeliest cause is that target "
-            f"{cause.target} is not one flat surface for all lines. Exclude it, or pick a smaller "
-            "part of it.",
-            Cause.of_target(cause.target),
-        )
+        yield note("adjustment.target_not_flat", target=cause.target, subject=target)
     elif not _named_already(result, cause):
-        yield Doubt(
-            "sighting_disagrees",
-            False,
-            f"The residuals contradict the model, and the likeliest cause is {_phrase(cause)}. "
-            "Look at the points and the trajectory there.",
-            Cause.of_sighting(cause.target, cause.line),
-        )
+        yield note("adjustment.sighting_cause", cause=_phrase(cause), subject=_place(cause))
 
 
-def _wrong_value(result: AdjustmentResult, cause: CandidateCause) -> Doubt:
+def _wrong_value(result: AdjustmentResult, cause: CandidateCause) -> Message:
     size, sigma = float(cause.size[0]), float(cause.sigma[0])
     moves = [
-        f"{angle} by {signed(float(np.degrees(moved)), 3)}\u00a0deg "
-        f"({abs(moved) / sigma:.1f}\u00a0of its sigmas)"
-        for angle, moved, sigma in zip(ANGLES, cause.moved, result.sigma, strict=True)
-        if abs(moved) > OF_CONSEQUENCE * sigma
-    ]
-    so = f", which would move {listed(moves)}" if moves else ""
-    return Doubt(
-        f"contradicted_{cause.kind}",
-        True,
-        f"The data contradict the stated {parameter(cause.kind)}: they want it "
-        f"{_larger(cause)} (\u00b1\u00a0{amount(cause.kind, sigma)}, "
-        f"w\u00a0{signed(size / sigma, 1)}){so}. Measure it again, or have it estimated.",
-        Cause.of_parameter(cause.kind),
-    )
+        note(
+            "item.angle_changed",
+            angle=quantity(angle), change=float(moved), ratio=float(abs(moved) / its_sigma),
+        )
+        for angle, moved, its_sigma in zip(ANGLES, cause.moved, result.sigma, strict=True)
+        if abs(moved) > OF_CONSEQUENCE * its_sigma
+    ]  # fmt: skip
+    code = f"adjustment.contradicted_{cause.kind}"
+    return warning(
+        code if moves else f"{code}_alone",
+        parameter=quantity(cause.kind),
+        change=note(
+            "change.larger" if size > 0 else "change.smaller", amount=amount(cause.kind, abs(size))
+        ),
+        sigma=amount(cause.kind, sigma), w=size / sigma, angles=moves,
+        subject=Cause.of_parameter(cause.kind),
+    )  # fmt: skip
 
 
-def _several(group: Sequence[CandidateCause]) -> Iterator[Doubt]:
+def _several(group: Sequence[CandidateCause]) -> Iterator[Message]:
     """The warning about causes that fit about equally well."""
-    yield Doubt(
-        "several_causes",
-        any(each.kind in SWITCHED or each.kind == "line_boresight" for each in group),
-        "The residuals contradict the model. These causes explain them about equally well, the "
-        f"first one best: {_phrases(group)}. Check each of them.",
-        _place(group[0]),
+    serious = any(each.kind in SWITCHED or each.kind == "line_boresight" for each in group)
+    yield (warning if serious else note)(
+        "adjustment.several_causes", causes=_phrases(group), subject=_place(group[0])
     )
 
 
-def _consequence(known: Known, explained: Sequence[Sequence[CandidateCause]]) -> Doubt:
+def _consequence(known: Known, explained: Sequence[Sequence[CandidateCause]]) -> Message:
     """The warning that residuals follow from an error that the data show."""
-    also = ""
-    if explained:
-        phrases = _phrases([group[0] for group in explained])
-        also = f" Without it they would be explained by: {phrases}."
-    return Doubt(
-        "known_cause",
-        False,
-        f"The residuals contradict the model, which is explained by {known.name}: see the warning "
-        f"about it.{also} Correct the data first.",
-    )
+    cause = note(known.code)
+    if not explained:
+        return note("adjustment.known_cause", cause=cause, subject=RESULT)
+    causes = _phrases([group[0] for group in explained])
+    return note("adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT)
 
 
 def _jumped(
     result: AdjustmentResult, causes: Sequence[Sequence[CandidateCause]]
-) -> tuple[Doubt, ...]:
+) -> tuple[Message, ...]:
     """Lines all of whose sightings were rejected and that no cause names."""
     named = {each.line for group in causes for each in group}
     jumped = sorted(set(result.suspect_lines) - named)
     if not jumped:
         return ()
+    make = warning if _many_lines(result, len(jumped)) else note
     return (
-        Doubt(
-            "line_jumped",
-            _many_lines(result, len(jumped)),
-            f"Every target is off on {'line' if len(jumped) == 1 else 'lines'} {listed(jumped)}: "
-            "the position may have jumped there, targets are mixed up, or a stated value of the "
-            "mounting is wrong.",
-            Cause.of_line(jumped[0]),
+        make(
+            "adjustment.line_jumped",
+            count=len(jumped), lines=jumped, subject=Cause.of_line(jumped[0]),
         ),
-    )
+    )  # fmt: skip
 
 
 def _many_lines(result: AdjustmentResult, count: int) -> bool:
@@ -263,36 +238,35 @@ def _named_already(result: AdjustmentResult, cause: CandidateCause) -> bool:
     )
 
 
-def _phrases(causes: Sequence[CandidateCause]) -> str:
-    return ", ".join(dict.fromkeys(_phrase(each) for each in causes))
+def _phrases(causes: Sequence[CandidateCause]) -> tuple[Message, ...]:
+    return tuple(dict.fromkeys(_phrase(each) for each in causes))
 
 
-def _phrase(cause: CandidateCause) -> str:
-    """A cause in a list: ``lever arm X 0.0951 m smaller``."""
+def _phrase(cause: CandidateCause) -> Message:
+    """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
     if cause.kind in SWITCHED:
-        return f"{parameter(cause.kind)} {_larger(cause)}"
+        size = float(cause.size[0])
+        return note(
+            "cause.larger" if size > 0 else "cause.smaller",
+            parameter=quantity(cause.kind), amount=amount(cause.kind, abs(size)),
+        )  # fmt: skip
     if cause.kind == "line_boresight":
-        return f"another boresight of line {cause.line}"
+        return note("cause.line_boresight", line=cause.line)
     if cause.kind == "line_position":
-        return f"position on line {cause.line} off by {mm(_length(cause))}\u00a0mm"
+        return note("cause.line_position", line=cause.line, shift=_length(cause))
     if cause.kind == "line_time":
-        return f"point times of line {cause.line} {_off(cause)}"
+        code = "cause.times_early" if _is_early(cause) else "cause.times_late"
+        return note(code, line=cause.line, offset=_length(cause))
     if cause.kind == "sighting_surface":
-        return f"another surface under {cause.target} on line {cause.line}"
+        return note("cause.sighting_surface", target=cause.target, line=cause.line)
     if cause.kind == "target_surface":
-        return f"target {cause.target} not one flat surface"
-    return f"target {cause.target} off by {mm(_length(cause))}\u00a0mm on line {cause.line}"
+        return note("cause.target_surface", target=cause.target)
+    return note("cause.sighting_shift", target=cause.target, line=cause.line, shift=_length(cause))
 
 
-def _larger(cause: CandidateCause) -> str:
-    size = float(cause.size[0])
-    return f"{amount(cause.kind, abs(size))} {'larger' if size > 0 else 'smaller'}"
-
-
-def _off(cause: CandidateCause) -> str:
-    """How point times are off: they are late where the latency would have to be smaller."""
-    size = float(cause.size[0])
-    return f"{amount('latency', abs(size))} {'early' if size > 0 else 'late'}"
+def _is_early(cause: CandidateCause) -> bool:
+    """Whether point times are early: late where the latency would have to be smaller."""
+    return float(cause.size[0]) > 0
 
 
 def _length(cause: CandidateCause) -> float:

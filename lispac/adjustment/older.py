@@ -1,9 +1,9 @@
-"""An answer that stands although another one was asked for since."""
+"""A result that stands although another estimate was run since."""
 
-from lispac.adjustment.doubt import Doubt
+from lispac.causes import RESULT
+from lispac.messages import Message, warning
 
 
-def refused_since(reason: str) -> Doubt:
-    """What to know of an answer after which another was asked for and refused, and why it was."""
-    words = f"An estimate asked for after this one was refused: {reason}"
-    return Doubt("refused_since", True, f"{words} The angles are those of the estimate before.")
+def refused_since(reason: Message | str) -> Message:
+    """The warning about a result after which another estimate was refused, and why."""
+    return warning("adjustment.refused_since", reason=reason, subject=RESULT)

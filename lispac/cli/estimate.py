@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.doubt import Doubt
 from lispac.adjustment.doubts import doubts
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
@@ -26,14 +25,18 @@ from lispac.adjustment.shown import (
     STATED,
     component_shown,
     counted,
+    plain,
     significance_words,
 )
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.qualities import as_list, print_doubtful
+from lispac.cli.warnings_json import warnings_as_json
 from lispac.doubles import project_doubts
 from lispac.io.plane_file import read_plane_files
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.progress import part
 from lispac.project import Project, Settings
 from lispac.survey.conventions.words import boresight_words
@@ -190,7 +193,7 @@ def project_numbers(project: Project) -> dict[str, Any]:
 
 
 def numbers(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> dict[str, Any]:
     """The answer as plain values, in degrees and metres."""
     chi_square, seen = result.chi_square, result.observability
@@ -241,10 +244,7 @@ def numbers(
             for c in result.components
         },
         "cross_checks": checks and _checks(checks),
-        "doubts": [
-            {"code": each.code, "serious": each.serious, "text": each.plain}
-            for each in doubts(result, checks, also)
-        ],
+        "doubts": warnings_as_json(doubts(result, checks, also)),
     }
 
 
@@ -334,7 +334,7 @@ def _checks(checks: CrossChecks) -> dict[str, Any]:
 
 
 def print_result(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> None:
     """The answer for people."""
     chi_square = result.chi_square
@@ -382,8 +382,8 @@ def print_result(
     found = doubts(result, checks, also)
     if found:
         print("\nTo know before using the angles:")
-    for doubt in found:
-        print(f"- {doubt.plain}")
+    for message in found:
+        print(f"- {plain(message_text(message))}")
 
 
 def print_steep(result: AdjustmentResult) -> None:

@@ -8,7 +8,9 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, opened, print_json
+from lispac.cli.warnings_json import warnings_as_json
 from lispac.errors import ProjectError
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.workflow import projects
 from lispac.workflow.proposing import propose as proposal_for
@@ -50,7 +52,7 @@ def propose(arguments: Namespace) -> None:
             }
             for target in proposal.targets
         ]  # fmt: skip
-        warnings = [{"code": each.code, "text": each.plain} for each in proposal.warnings]
+        warnings = warnings_as_json(proposal.warnings)
         print_json({"targets": targets, "sigma_deg": sigma, "warnings": warnings,
                     "accepted": arguments.accept})  # fmt: skip
         return
@@ -60,4 +62,4 @@ def propose(arguments: Namespace) -> None:
         print(f"     {plain(proposal.reasons[target.name])}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
     for warning in proposal.warnings:
-        print(f"warning: {warning.plain}")
+        print(f"warning: {plain(message_text(warning))}")

@@ -3,9 +3,11 @@
 from argparse import Namespace
 from collections.abc import Mapping
 
+from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.doubles import project_doubts
 from lispac.io.values import encoded
+from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow import projects
@@ -44,7 +46,7 @@ def validate(arguments: Namespace) -> None:
                 "planes": [encoded(comparison) for comparison in project.validation],
                 "rms_truth_m": true,
                 "not_compared": dict(project.not_compared),
-                "doubts": [doubt.plain for doubt in project_doubts(project)],
+                "doubts": [plain(message_text(each)) for each in project_doubts(project)],
             }
         )
     else:
@@ -71,5 +73,5 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
         print(f"{each.name:12s}{each.after.n:10,}{figures}")
     for reason in project.not_compared.values():
         print(f"not compared: {reason}")
-    for doubt in project_doubts(project):
-        print(f"note: {doubt.plain}")
+    for message in project_doubts(project):
+        print(f"note: {plain(message_text(message))}")

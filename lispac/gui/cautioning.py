@@ -15,8 +15,9 @@ from lispac.causes import Cause
 from lispac.gui.docks import raise_panel
 from lispac.gui.panels.fields import Fold
 from lispac.gui.status import ADJUST, DATA, STEPS, TARGETS
+from lispac.messages import Message
 from lispac.targets.quality import SightingQuality
-from lispac.workflow.warnings import Concern, concerns
+from lispac.workflow.warnings import warnings_of
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 REST_MS = 60
 """Several changes in a row make one list."""
 
-Gathered = tuple[int, tuple[Concern, ...]]
+Gathered = tuple[int, tuple[Message, ...]]
 
 
 class Cautioning(QObject):
@@ -90,7 +91,7 @@ class Cautioning(QObject):
             self._asked += 1
             self._told = self._asked
             self._panel.show_nothing()
-            self._button.show_concerns(None)
+            self._button.show_warnings(None)
             return
         self._had_result |= self._document.project.result is not None
         if self._document.awaits_result:
@@ -113,7 +114,7 @@ class Cautioning(QObject):
         def work() -> Gathered:
             if asked != self._asked:
                 return asked, ()  # there was another change meanwhile
-            found = concerns(
+            found = warnings_of(
                 project, survey, qualities, refusal=refusal, refused_since=refused_since,
                 stale=stale, storage=storage,
             )  # fmt: skip
@@ -132,8 +133,8 @@ class Cautioning(QObject):
         asked, found = gathered
         if asked == self._asked:
             self._told = asked
-            self._panel.show_concerns(found)
-            self._button.show_concerns(found)
+            self._panel.show_warnings(found)
+            self._button.show_warnings(found)
             self.shown.emit()
 
     # -- following -------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.workflow.survey import Survey
 from lispac.workflow.survey import data_key as data_key
@@ -19,13 +20,13 @@ class _State:
     ----------
     follows : whether its result is computed without being asked for
     refusal : why there is no such result, in words
-    refused_since : why an estimate was refused that was asked for after the result, in words
+    refused_since : why an estimate was refused that was asked for after the result
     """
 
     project: Project
     follows: bool = False
     refusal: str = ""
-    refused_since: str = ""
+    refused_since: Message | str = ""
 
 
 class _Edit(QUndoCommand):
@@ -92,7 +93,7 @@ class Document(QObject):
         return "" if self._state is None else self._state.refusal
 
     @property
-    def refused_since(self) -> str:
+    def refused_since(self) -> Message | str:
         """Why an estimate was refused that was asked for after the result; empty where none was."""
         return "" if self._state is None else self._state.refused_since
 
@@ -178,7 +179,7 @@ class Document(QObject):
         self._state.refusal = reason
         self.changed.emit()
 
-    def keep_older(self, reason: str) -> None:
+    def keep_older(self, reason: Message | str) -> None:
         """Keep why an estimate was refused: the result is that of one before."""
         if self._state is not None and self._state.project.result is not None:
             self._state.refused_since = reason

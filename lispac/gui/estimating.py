@@ -129,7 +129,7 @@ class Estimating(QObject):
         """Remember that what was asked for was refused, where an older result stays."""
         asked = self._asked
         if asked is not None and asked.error is error and isinstance(error, LispacError):
-            self._document.keep_older(str(error))
+            self._document.keep_older(error.reason)
 
     # -- what follows from a click -----------------------------------------------------------
 

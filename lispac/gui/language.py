@@ -14,8 +14,10 @@ from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
 from lispac.language import number, short_datetime, use_language
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.messages import text_said
 from lispac.reverse_translation.translation import Translator
 
 if TYPE_CHECKING:
@@ -122,6 +124,11 @@ def say(text: str) -> str:
     if "\n" in text and (whole := _own.with_its_lines(text)) is not None:
         return whole
     return "".join(piece if k % 2 else _said(piece) for k, piece in enumerate(_PIECE.split(text)))
+
+
+def say_message(message: Message) -> str:
+    """Text of a message in the user's language."""
+    return text_said(message, say)
 
 
 def say_with_capital(text: str) -> str:

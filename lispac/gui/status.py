@@ -4,10 +4,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.doubles import doubts_of
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.project import Project
-from lispac.workflow.facing import ONE_FACING, face_one_way
+from lispac.workflow.facing import face_one_way
 from lispac.workflow.survey import Survey
-from lispac.workflow.warnings import SINGLE
 
 State = Literal["empty", "todo", "done", "warning"]
 
@@ -115,9 +116,14 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
             ready=True,
         )
     if len(used) < 2:
-        return StepStatus("warning", f"{sentence}: second target required", SINGLE, ready=True)
+        return StepStatus(
+            "warning",
+            f"{sentence}: second target required",
+            _single_target(),
+            ready=True,
+        )
     if project.result is None and face_one_way(project, survey):
-        return StepStatus("warning", sentence, ONE_FACING, ready=True)
+        return StepStatus("warning", sentence, _one_facing(), ready=True)
     advice = (
         "Enough to adjust. Pick validation planes too, to show how well the lines agree."
         if not planes
@@ -132,7 +138,7 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
     if project.result is not None:
         factor = project.result.variance_factor
         passed = project.result.chi_square.passed
-        serious = any(doubt.serious for doubt in doubts_of(project))
+        serious = any(message.is_serious for message in doubts_of(project))
         if serious:
             advice = "Do not use the angles before you have read the warnings on the right."
         elif passed:
@@ -152,9 +158,9 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
     if not ready:
         return StepStatus("empty", "pick targets first", "Pick at least two targets first.")
     if len(used) < 2:
-        return StepStatus("warning", "a second target is missing", SINGLE, ready=True)
+        return StepStatus("warning", "a second target is missing", _single_target(), ready=True)
     if survey is not None and face_one_way(project, survey):
-        return StepStatus("warning", "another inclination is missing", ONE_FACING, ready=True)
+        return StepStatus("warning", "another inclination is missing", _one_facing(), ready=True)
     return StepStatus("todo", "ready to estimate", "Press Estimate.", ready=True)
 
 
@@ -211,3 +217,11 @@ def _report(project: Project, survey: Survey | None, reported: str) -> StepStatu
         "Export the report as PDF or HTML, or its numbers as JSON." + missing,
         ready=survey is not None,
     )
+
+
+def _single_target() -> str:
+    return message_text(note("project.single_target"))
+
+
+def _one_facing() -> str:
+    return message_text(note("project.one_facing"))

@@ -11,17 +11,21 @@ from typing import Any
 from lispac.language import N_, Template, text_of
 from lispac.message_texts import (
     adjustment,
+    adjustment_warnings,
     calibration,
     checking,
     commands,
     importing,
     importing_steps,
+    items,
     output,
     planning,
     planning_steps,
     point_files,
     program,
+    project_warnings,
     projects,
+    report_warnings,
     settings_files,
     store,
     survey,
@@ -37,17 +41,21 @@ CONTROL = dict.fromkeys([*range(0x20), *range(0x7F, 0xA0)], " ")
 
 TOPICS = (
     adjustment,
+    adjustment_warnings,
     calibration,
     checking,
     commands,
     importing,
     importing_steps,
+    items,
     output,
     planning,
     planning_steps,
     point_files,
     program,
+    project_warnings,
     projects,
+    report_warnings,
     settings_files,
     store,
     survey,
@@ -82,10 +90,15 @@ def action_text(action: Action) -> str:
 
 def _rendered(params: Mapping[str, Value]) -> dict[str, Any]:
     """The parameters with messages among them as texts."""
-    return {
-        name: message_text(value) if isinstance(value, Message) else value
-        for name, value in params.items()
-    }
+    return {name: _with_text(value) for name, value in params.items()}
+
+
+def _with_text(value: Value) -> Any:
+    if isinstance(value, Message):
+        return message_text(value)
+    if isinstance(value, str | int | float):
+        return value
+    return [_with_text(each) for each in value]
 
 
 def _one_line(text: str) -> str:

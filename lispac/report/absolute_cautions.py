@@ -1,67 +1,89 @@
-"""What page one says of the comparison with a reference."""
+"""Warnings about the comparison with a reference, for the first page of the report."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from statistics import NormalDist
 
+from lispac.causes import Cause
+from lispac.messages import Message, note, warning
 from lispac.report.absolute_values import Absolute
-from lispac.report.values import Caution, mild, serious
-from lispac.report.wording import mm
-from lispac.validation.absolute_words import Off, lines_off, points_off
+from lispac.validation.absolute_words import Off
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
 LARGE, TOO_LARGE = 2.0, 3.0
-"""RMS over the one expected, from which it is told, and from which it is serious: what lines share
+"""RMS over the one expected from which it is a note, and from which a warning: what lines share
 makes an RMS scatter about as much as a single error does."""
+VALIDATE = Cause.of_step("Validate")
 
 
-def absolute_cautions(found: Absolute | None) -> Iterator[Caution]:
+def absolute_cautions(found: Absolute | None) -> Iterator[Message]:
     """The mean of all lines, single lines, surveyed points and planes, and the RMS, where off.
 
-    Of many good lines some are off at 95 %; it is serious where one is off by more than the largest
-    of as many is in 95 of 100 checks.
+    Of many good lines some are off at 95 %. It is a warning where one is off by more than the
+    largest of as many is in 95 of 100 checks.
     """
     if found is None:
         return
     after = found.together.after
     if after.mean_significant:
-        yield serious("absolute_off", found.in_words[0])
+        mean = after.signed.mean_m
+        yield warning(
+            "report.absolute_nearer" if mean > 0 else "report.absolute_farther",
+            mean=abs(mean), interval=after.mean_interval95_m, subject=VALIDATE,
+        )  # fmt: skip
     elif after.distances.rms_m > LARGE * after.rms_expected.total_m:
         yield _rms(after.distances.rms_m, after.rms_expected.total_m)
-    yield from _single(
-        "absolute_line_off",
-        lines_off,
-        [(x.line, x.after.signed.mean_m, x.after.mean_interval95_m) for x in found.lines],
+    yield from _lines(
+        [(x.line, x.after.signed.mean_m, x.after.mean_interval95_m) for x in found.lines]
     )
-    yield from _single(
-        "absolute_point_off",
-        points_off,
+    yield from _points(
         [
             (x.name, x.after_m, x.after_interval95_m)
             for x in found.points
             if x.after_interval95_m is not None
-        ],
+        ]
     )
 
 
-def _single(
-    code: str, words: Callable[[Sequence[Off], int], str], each: Sequence[Off]
-) -> Iterator[Caution]:
+def _lines(each: Sequence[Off]) -> Iterator[Message]:
+    """Lines that are off; the subject is the one that is farthest off."""
+    if off := _off(each):
+        farthest = max(off, key=lambda one: abs(one[1]))
+        beyond = _is_beyond_chance(each)
+        yield (warning if beyond else note)(
+            "report.absolute_line_off" if beyond else "report.absolute_line_off_by_chance",
+            count=len(off), total=len(each), lines=_items(off), subject=Cause.of_line(farthest[0]),
+        )  # fmt: skip
+
+
+def _points(each: Sequence[Off]) -> Iterator[Message]:
+    """Surveyed points and planes that are off."""
+    if off := _off(each):
+        beyond = _is_beyond_chance(each)
+        yield (warning if beyond else note)(
+            "report.absolute_point_off" if beyond else "report.absolute_point_off_by_chance",
+            count=len(off), total=len(each), points=_items(off), subject=VALIDATE,
+        )  # fmt: skip
+
+
+def _off(each: Sequence[Off]) -> list[Off]:
+    return [one for one in each if abs(one[1]) > one[2]]
+
+
+def _is_beyond_chance(each: Sequence[Off]) -> bool:
     from scipy.special import ndtri
 
-    off = [one for one in each if abs(one[1]) > one[2]]
-    if not off:
-        return
     largest = -float(ndtri(0.025 / len(each))) / NORMAL_95
-    if any(abs(mean) > largest * half for _, mean, half in off):
-        yield serious(code, words(off, len(each)))
-    else:
-        yield mild(code, f"{words(off, len(each))} One in twenty is by chance.")
+    return any(abs(mean) > largest * half for _, mean, half in each)
 
 
-def _rms(found: float, expected: float) -> Caution:
-    text = (
-        f"Against the reference the distances have an RMS of {mm(found)} mm after the calibration, "
-        f"{found / expected:.1f} times the {mm(expected)} mm that reference, POS and boresight let "
-        "one expect. See the section on the absolute check."
-    )
-    return (serious if found > TOO_LARGE * expected else mild)("absolute_rms", text)
+def _items(off: Sequence[Off]) -> list[Message]:
+    return [
+        note("item.mean_distance", name=name, mean=mean, interval=half) for name, mean, half in off
+    ]
+
+
+def _rms(found: float, expected: float) -> Message:
+    return (warning if found > TOO_LARGE * expected else note)(
+        "report.absolute_rms",
+        rms=found, factor=found / expected, expected=expected, subject=VALIDATE,
+    )  # fmt: skip

@@ -16,6 +16,7 @@ from lispac.adjustment.observability import one_facing
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
+from lispac.messages import Message
 from lispac.methods import answers, sentences
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
@@ -72,7 +73,7 @@ def report_content(
     convention: str = "",
     budget: ErrorBudget | None = None,
     trajectory: Sequence[TrajectoryOnLine] = (),
-    refused: str = "",
+    refused: Message | str = "",
     digests: bool = True,
     progress: Progress = no_progress,
 ) -> ReportContent:

@@ -1,10 +1,11 @@
 """The report in words, the same for every kind of file it is written to."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
+from lispac.language import in_language
 from lispac.messages import error
 from lispac.report import sections
 from lispac.report.absolute_section import absolute
@@ -30,6 +31,7 @@ from lispac.report.translated import drawn, translated, translator
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
+from lispac.reverse_translation.messages import text_said
 
 TWO_ON_A_PAGE = 92.0
 """Height of a picture, mm, of which two with their captions fit on the smaller page."""
@@ -51,15 +53,24 @@ def document_of(
         Where a picture or the logo cannot be read, or there is no report in this language.
     """
     say = translator(content, options.language)
-    document = drawn(in_english(content, pictures, options), say)
-    return document if options.language == "en" else translated(document, say)
+    with in_language(options.language):
+        document = drawn(in_english(content, pictures, options, say), say)
+        return document if options.language == "en" else translated(document, say)
 
 
 def in_english(
-    content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
+    content: ReportContent,
+    pictures: Mapping[str, Path],
+    options: ReportOptions = USUAL,
+    say: Callable[[str], str] = str,
 ) -> Document:
-    """The report as it is made, its figures not drawn yet."""
-    serious = tuple(c.text for c in content.cautions if c.severity == "serious")
+    """The report as it is made, its figures not drawn yet; messages are in the language in use.
+
+    Parameters
+    ----------
+    say : translates English sentences within messages
+    """
+    serious = tuple(text_said(each, say) for each in content.cautions if each.is_serious)
     status, verdict = _verdict(content, bool(serious))
     parts = [
         _section("Boresight and its uncertainty", boresight(content)),
@@ -85,7 +96,7 @@ def in_english(
         verdict=verdict,
         identity=identity(content),
         serious=serious,
-        cautions=tuple(c.text for c in content.cautions if c.severity != "serious"),
+        cautions=tuple(text_said(each, say) for each in content.cautions if not each.is_serious),
         summary=(
             *sections.summary(content),
             *(Paragraph(text, own=True) for text in options.closing.split("\n\n") if text),

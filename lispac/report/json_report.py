@@ -1,10 +1,16 @@
 """The report for machines: every figure in full precision, keys with their units."""
 
 import json
-from dataclasses import asdict
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any, Literal
 
 from lispac.installed import resource
+from lispac.language import in_language
+from lispac.message_texts import message_text
+from lispac.message_texts.former_codes import former_code
+from lispac.messages import Message, plain_params
 from lispac.report.values import ReportContent
 
 NAME = "lispac-report"
@@ -12,10 +18,36 @@ SCHEMA_VERSION = 2
 SCHEMA_FILE = "report.schema.json"
 
 
+@dataclass(frozen=True)
+class Caution:
+    """A warning (``serious``) or a note, in English; ``code`` names the condition.
+
+    ``former_code`` is what versions before typed messages called it.
+    """
+
+    code: str
+    former_code: str
+    severity: Literal["serious", "caution"]
+    text: str
+    params: Mapping[str, Any]
+
+
 def json_text(content: ReportContent) -> str:
-    """The content as one JSON object; what is not known is null."""
-    values = {"schema": NAME, "schema_version": SCHEMA_VERSION, **asdict(content)}
+    """The content as one JSON object in English; what is not known is null."""
+    values = {
+        "schema": NAME,
+        "schema_version": SCHEMA_VERSION,
+        **asdict(content),
+        "cautions": [asdict(_caution(each)) for each in content.cautions],
+    }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _caution(message: Message) -> Caution:
+    with in_language("en"):
+        text = message_text(message)
+    severity: Literal["serious", "caution"] = "serious" if message.is_serious else "caution"
+    return Caution(message.code, former_code(message), severity, text, plain_params(message))
 
 
 def schema_text() -> str:

@@ -19,7 +19,7 @@ from lispac.report.values import ReportContent
 from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.reverse_translation.translation import Translator
 
-POINT = "Numbers are written with a decimal point, as other programs take them."
+POINT = "Numbers are written with a decimal point, as other programs take them, except in warnings."
 
 
 def translator(content: ReportContent, language: str) -> Translator:

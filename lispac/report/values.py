@@ -6,34 +6,15 @@ report as well, so every document shows the same figures.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 from lispac.identity import Identity
+from lispac.messages import Message
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
 from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.opinion_values import MethodAnswer
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import SwathDifference, ValidationPlane
-
-
-@dataclass(frozen=True)
-class Caution:
-    """Something the reader must know; ``code`` names the rule, whatever the language."""
-
-    code: str
-    severity: Literal["serious", "caution"]
-    text: str
-
-
-def serious(code: str, text: str) -> Caution:
-    """Something that makes the answer doubtful."""
-    return Caution(code, "serious", text)
-
-
-def mild(code: str, text: str) -> Caution:
-    """Something to keep in mind."""
-    return Caution(code, "caution", text)
 
 
 @dataclass(frozen=True)
@@ -355,7 +336,7 @@ class ReportContent:
     identity: Identity
     calibrated: bool
     simulated: bool
-    cautions: tuple[Caution, ...]
+    cautions: tuple[Message, ...]
     angles: tuple[Angle, ...]
     adjustment: Adjustment | None
     cross_checks: CrossChecked | None

@@ -1,8 +1,11 @@
-"""What is hardly ever true of a lever arm: a wrong sign or unit that nothing else would show."""
+"""Warnings about a lever arm that is unlikely: a wrong sign or unit that nothing else shows."""
 
 from collections.abc import Sequence
 
 import numpy as np
+
+from lispac.causes import Cause
+from lispac.messages import Message, note
 
 FAR_BELOW = 1.0
 """Metres under the POS centre: there is water, or the hull."""
@@ -10,28 +13,19 @@ LONG = 30.0
 """Metres; from scanner to INS most vessels are shorter as a whole."""
 
 
-def lever_arm_doubts(lever_arm: Sequence[float]) -> tuple[str, ...]:
-    """What to look at again in a lever arm, a sentence each.
+def lever_arm_doubts(lever_arm: Sequence[float]) -> tuple[Message, ...]:
+    """What to check in a lever arm.
 
     Parameters
     ----------
     lever_arm : three numbers, metres, body (forward, left, up)
     """
-    up = float(lever_arm[2])
+    field, up = Cause.of_field("lever_arm"), float(lever_arm[2])
     if not any(lever_arm):
-        return (
-            "The lever arm is zero, as if the scanner's optical centre were at the POS centre: "
-            "type the measured one.",
-        )
-    told = []
+        return (note("mounting.lever_arm_zero", subject=field),)
+    found = []
     if up < -FAR_BELOW:
-        told.append(
-            f"The lever arm puts the scanner {-up:.2f} m below the POS centre, and on a vessel it "
-            "is mostly above it: look at the sign of Z, which is positive up here."
-        )
+        found.append(note("mounting.lever_arm_below", below=-up, subject=field))
     if (length := float(np.linalg.norm(lever_arm))) > LONG:
-        told.append(
-            f"The lever arm is {length:.1f} m long, and few vessels are: it is stated in metres "
-            "here."
-        )
-    return tuple(told)
+        found.append(note("mounting.lever_arm_long", length=length, subject=field))
+    return tuple(found)

@@ -16,6 +16,7 @@ from lispac.adjustment.shown import plain
 from lispac.errors import InputError, LispacError, NotComparable
 from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Triple
@@ -173,7 +174,7 @@ def _calibrated(
     if report is not None:
         write_report(project, survey, report, options=options, progress=part(progress, 0.9, 0.95))
     cautions = content_of(project, survey, progress=part(progress, 0.95, 1.0)).cautions
-    serious = any(caution.severity == "serious" for caution in cautions)
+    serious = any(message.is_serious for message in cautions)
     result = project.result
     assert result is not None
     roll, pitch, yaw = np.degrees(result.angles).tolist()
@@ -181,7 +182,7 @@ def _calibrated(
     return replace(
         known,
         verdict="doubtful" if serious else "remarks" if cautions or said else "good",
-        remarks=(*said, *(plain(caution.text) for caution in cautions)),
+        remarks=(*said, *(plain(message_text(message)) for message in cautions)),
         boresight_deg=(roll, pitch, yaw),
         sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),

@@ -13,7 +13,6 @@ from lispac.adjustment.common_parts import common_parts
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.result import AdjustmentResult, CommonPart
-from lispac.adjustment.shown import plain
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
@@ -222,7 +221,7 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
         yield
     except (NotConverged, RankDeficient) as failure:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
-        alone = [plain(doubt.text) for doubt in single_line_targets(project.targets)]
+        alone = single_line_targets(project.targets)
         reason = failure.reason
         causes: list[Message | str] = [*alone, *warnings[:MOST_WARNINGS]]
         for cause in causes:

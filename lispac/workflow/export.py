@@ -10,7 +10,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.files import written_whole
 from lispac.message_texts import message_text
-from lispac.messages import Level, error
+from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
@@ -32,7 +32,7 @@ def content_of(
     *,
     generated: datetime | None = None,
     convention: str = "",
-    refused: str = "",
+    refused: Message | str = "",
     progress: Progress = no_progress,
 ) -> ReportContent:
     """Numbers of the report."""
@@ -64,7 +64,7 @@ def write_report(
     *,
     pictures: Mapping[str, Path] | None = None,
     options: ReportOptions = USUAL,
-    refused: str = "",
+    refused: Message | str = "",
     generated: datetime | None = None,
     progress: Progress = no_progress,
 ) -> None:
@@ -120,7 +120,7 @@ def preview_report(
     *,
     pictures: Mapping[str, Path] | None = None,
     options: ReportOptions = USUAL,
-    refused: str = "",
+    refused: Message | str = "",
     ppi: float = 96.0,
     progress: Progress = no_progress,
 ) -> "Preview":

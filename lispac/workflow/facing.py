@@ -9,9 +9,6 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
-ONE_FACING = (
-    "The targets face the same way, which no estimate accepts: pick another of another inclination."
-)
 LOOKED_AT = 500
 """Points of a target that tell which way it faces."""
 

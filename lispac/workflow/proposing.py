@@ -9,16 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
-from lispac.adjustment.doubt import Doubt
 from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shown import listed
 from lispac.adjustment.solver import adjust
+from lispac.causes import RESULT
 from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
-from lispac.messages import Message, error
+from lispac.messages import Message, error, warning
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, placed_with
@@ -50,7 +50,9 @@ whose flatness is doubtful on so many is proposed for validation at most, where 
 others."""
 SHARED = 0.01
 """Share of the points of a plane from which it overlaps another one."""
-UNCHECKED = {"target_unchecked", "targets_clustered", "carried_by_one"}
+UNCHECKED = {
+    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
+}  # fmt: skip
 """Codes of warnings that targets do not check each other."""
 
 
@@ -67,15 +69,15 @@ class Proposal:
         Of roll, pitch, yaw, from an adjustment of the proposed targets.
     picked : tuple of str
         Targets of the project that would have been proposed.
-    warnings : tuple of Doubt
-        Serious ones of that adjustment.
+    warnings : tuple of Message
+        Those of that adjustment, without notes.
     """
 
     targets: tuple[Target, ...]
     reasons: dict[str, str]
     sigma: Array
     picked: tuple[str, ...] = ()
-    warnings: tuple[Doubt, ...] = ()
+    warnings: tuple[Message, ...] = ()
 
 
 def propose(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Proposal:
@@ -226,19 +228,12 @@ def _reason(
     )
 
 
-def _warnings(result: AdjustmentResult) -> tuple[Doubt, ...]:
-    """Serious warnings of the adjustment of the chosen targets."""
-    serious = [doubt for doubt in doubts(result, None) if doubt.serious]
-    if any(doubt.code in UNCHECKED for doubt in serious):
-        serious.append(
-            Doubt(
-                "proposal_unchecked",
-                True,
-                "The scene does not offer targets that check each other. Use the targetless "
-                "method, which adjusts many small surfaces, or put up boards.",
-            )
-        )
-    return tuple(serious)
+def _warnings(result: AdjustmentResult) -> tuple[Message, ...]:
+    """Warnings of the adjustment of the chosen targets."""
+    found = [message for message in doubts(result, None) if message.is_serious]
+    if any(message.code in UNCHECKED for message in found):
+        found.append(warning("targets.proposal_unchecked", subject=RESULT))
+    return tuple(found)
 
 
 def _overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:

@@ -5,7 +5,8 @@ from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
-from lispac.gui.language import say, speak
+from lispac.adjustment.older import refused_since
+from lispac.gui.language import say_message, speak
 from lispac.gui.reporting import Reporting
 from tests.gui.support import Driver
 
@@ -17,7 +18,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     adjusted.rest()
     assert adjusted.project.result is before
     [refusal] = map(str, adjusted.dialogs.errors)
-    words = f"An estimate asked for after this one was refused: {refusal}"
+    words = f"A later estimate was refused: {refusal}"
     assert words in unescape(adjusted.window.results.warnings.text())
     reporting = adjusted.window.findChild(Reporting)
     report = tmp_path / "r.json"
@@ -25,9 +26,12 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     reporting.export()
     adjusted.rest()
     told = [each for each in json.loads(report.read_text())["cautions"] if words in each["text"]]
-    assert [(each["severity"], each["code"]) for each in told] == [("serious", "refused_since")]
+    assert [(each["severity"], each["code"]) for each in told] == [
+        ("serious", "adjustment.refused_since")
+    ]
     speak("fr")
-    assert say(told[0]["text"]).startswith("Une estimation demandée après celle-ci a été refusée")
+    french = say_message(refused_since(refusal))
+    assert french.startswith("Une estimation ultérieure a été refusée")
     speak("en")
 
     adjusted.window.controller.rename("T1", "North wall")  # the result stays, and so does this

@@ -12,28 +12,31 @@ from lispac.causes import Cause
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.warnings import NO_PROJECT, NOTHING, TITLE, WAITING
 from lispac.gui.status import ADJUST, DATA, TARGETS
-from lispac.io.trajectory_facts import gap_doubts
+from lispac.message_texts import message_text
+from lispac.messages import Level, Message, note, warning
 from lispac.project import Project
-from lispac.workflow.warnings import STALE, Concern
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, settle
 
 Role = Qt.ItemDataRole
 
 
-def listed(driver: Driver) -> tuple[Concern, ...]:
-    """What stands in the list once it is that of the project."""
+STALE = note("project.out_of_date", subject=Cause.of_step("Adjust"))
+
+
+def listed(driver: Driver) -> tuple[Message, ...]:
+    """The messages of the list once it is that of the project."""
     driver.rest()
     driver.bot.waitUntil(lambda: driver.window.cautioning.is_current, timeout=WAIT_MS)
     panel = driver.window.warnings
     driver.bot.waitUntil(lambda: panel.is_filled, timeout=WAIT_MS)
     texts = [panel.list.item(row).text() for row in range(panel.list.count())]
-    assert texts == [each.text for each in panel.concerns]
-    return panel.concerns
+    assert texts == [message_text(each) for each in panel.messages]
+    return panel.messages
 
 
 def row_of(driver: Driver, wanted: str) -> int:
-    rows = [k for k, each in enumerate(listed(driver)) if wanted in each.text]
-    assert len(rows) == 1, (wanted, [each.text for each in listed(driver)])
+    rows = [k for k, each in enumerate(listed(driver)) if wanted in message_text(each)]
+    assert len(rows) == 1, (wanted, [each.code for each in listed(driver)])
     return rows[0]
 
 
@@ -83,15 +86,19 @@ def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
 
 
 def test_the_status_bar_counts_and_leads_to_the_list(adjusted: Driver) -> None:
-    found = [each for each in listed(adjusted) if each.severity != "note"]
-    assert adjusted.window.task_bar.warnings.text() == f"{len(found)} warnings"
+    found = listed(adjusted)
+    assert {each.level for each in found} == {Level.NOTE}
+    assert adjusted.window.task_bar.warnings.text() == f"{len(found)} notes"
+    bad = (*found, warning("report.not_calibrated"))
+    adjusted.window.task_bar.warnings.show_warnings(bad)
+    assert adjusted.window.task_bar.warnings.text() == "1 warning"
     open_list(adjusted)
     assert has_focus(adjusted.window.warnings.list)
     icons = {
         adjusted.window.warnings.list.item(row).data(Role.AccessibleTextRole).partition(":")[0]
         for row in range(len(found))
     }
-    assert icons == {"Look at this"}
+    assert icons == {"Note"}
 
 
 def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> None:
@@ -124,7 +131,7 @@ def test_enter_does_what_a_click_does(picked: Driver) -> None:
 
 def test_a_left_out_target_leads_to_its_row_in_step_2(picked: Driver) -> None:
     picked.window.controller.use_target("T2", False)
-    click_row(picked, row_of(picked, "Target T2 is left out."))
+    click_row(picked, row_of(picked, "Target T2 is excluded."))
     assert picked.window.workflow.opened == TARGETS
     assert has_focus(picked.window.targets.table)
     assert picked.window.targets.current == "T2"
@@ -150,12 +157,12 @@ def test_a_scanner_far_below_leads_to_its_z(picked: Driver) -> None:
 def test_a_line_is_selected_and_looked_at(picked: Driver, demo: Demo) -> None:
     """A note of the reader that names the file of a line."""
     line = picked.project.lines[2]
-    note = f"{line.path.name}: 12 points outside the trajectory's time, of 100, are left out"
-    survey = replace(demo.survey, notes=(*demo.survey.notes, note))
+    said = f"{line.path.name}: 12 points outside the trajectory's time, of 100, are left out"
+    survey = replace(demo.survey, notes=(*demo.survey.notes, said))
     picked.window.document.set_survey(picked.project, survey)
-    found = listed(picked)[row_of(picked, note)]
-    assert (found.severity, found.cause) == ("caution", Cause.of_line(line.name))
-    click_row(picked, row_of(picked, note))
+    found = listed(picked)[row_of(picked, said)]
+    assert (found.level, found.subject) == (Level.NOTE, Cause.of_line(line.name))
+    click_row(picked, row_of(picked, said))
     assert picked.window.workflow.opened == DATA
     assert has_focus(picked.window.data.lines)
     assert picked.window.data.lines.currentItem().text() == line.name
@@ -197,14 +204,17 @@ def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
 
 def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
     line = adjusted.project.target("T1").sightings[0].line
-    said = f"Target T1 is left out on {line}."
-    assert said not in [each.text for each in listed(adjusted)]
+    said = note(
+        "report.left_out_target_on_lines",
+        target="T1", lines=(line,), subject=Cause.of_target("T1"),
+    )  # fmt: skip
+    assert said not in listed(adjusted)
     adjusted.window.controller.use_sighting("T1", line, False)
     assert adjusted.window.warnings.head.text() == WAITING
     settle(adjusted)
-    assert said in [each.text for each in listed(adjusted)]
+    assert said in listed(adjusted)
     adjusted.window.document.undo_stack.undo()
-    assert said not in [each.text for each in listed(adjusted)]
+    assert said not in listed(adjusted)
 
 
 def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
@@ -213,25 +223,26 @@ def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
     settle(adjusted)
     assert adjusted.window.document.refusal
     first = listed(adjusted)[0]
-    assert (first.severity, first.text) == ("serious", adjusted.window.document.refusal)
+    refusal = adjusted.window.document.refusal
+    assert first == warning("project.refused", reason=refusal, subject=Cause.of_step("Adjust"))
     click_row(adjusted, 0)
     assert adjusted.window.workflow.opened == ADJUST
 
 
 def test_a_result_that_an_edit_dropped_is_told_until_it_is_there_again(adjusted: Driver) -> None:
     settings = replace(adjusted.project.settings, lidar_sigma=0.004)
-    assert STALE not in [each.text for each in listed(adjusted)]
+    assert STALE not in listed(adjusted)
     adjusted.window.controller.change_settings(settings)
-    click_row(adjusted, row_of(adjusted, STALE))
+    click_row(adjusted, row_of(adjusted, message_text(STALE)))
     assert adjusted.window.workflow.opened == ADJUST
     assert has_focus(adjusted.window.workflow.headers[ADJUST])
     adjusted.window.document.undo_stack.undo()
-    assert STALE not in [each.text for each in listed(adjusted)]
+    assert STALE not in listed(adjusted)
 
 
 def test_another_project_without_a_result_has_lost_none(adjusted: Driver, demo: Demo) -> None:
     adjusted.window.document.open(demo.picked, demo.survey)
-    assert STALE not in [each.text for each in listed(adjusted)]
+    assert STALE not in listed(adjusted)
 
 
 def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
@@ -240,21 +251,21 @@ def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
     late = track.time + np.where(np.arange(len(track.time)) > 500, 7.0, 0.0)
     survey = replace(demo.survey, trajectory=replace(track, time=late))
     picked.window.document.set_survey(picked.project, survey)
-    (found,) = gap_doubts(late, picked.project.settings.longest_gap)
-    assert "7.0 s" in found
-    assert listed(picked)[row_of(picked, found)].severity == "caution"
+    (found,) = [each for each in listed(picked) if each.code == "project.trajectory_gaps"]
+    assert found.params["longest"] == pytest.approx(7.0, abs=0.05)
+    assert found.level is Level.NOTE
 
 
 def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
     picked.window.safekeeping._cannot_keep(OSError("The disk is full"))
     said = "Unsaved work is not kept against a crash: The disk is full"
-    assert listed(picked)[row_of(picked, said)].severity == "serious"
+    assert listed(picked)[row_of(picked, said)].level is Level.WARNING
 
 
 def test_nothing_to_warn_of_is_said(picked: Driver) -> None:
     listed(picked)
-    picked.window.warnings.show_concerns(())
-    picked.window.task_bar.warnings.show_concerns(())
+    picked.window.warnings.show_warnings(())
+    picked.window.task_bar.warnings.show_warnings(())
     press(picked, Key.Key_F12)
     assert picked.window.warnings.empty.text() == NOTHING
     assert picked.window.task_bar.warnings.text() == "No warnings"
@@ -264,14 +275,14 @@ def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) ->
     """A second of gathering, and no turn of the event loop that takes anything like it."""
     from lispac.gui import cautioning
 
-    gather = cautioning.concerns
+    gather = cautioning.warnings_of
 
     def slow(*arguments, **named):
         time.sleep(1.0)
         return gather(*arguments, **named)
 
     listed(adjusted)
-    monkeypatch.setattr(cautioning, "concerns", slow)
+    monkeypatch.setattr(cautioning, "warnings_of", slow)
     adjusted.window.cautioning._watch()
     longest, started = 0.0, time.perf_counter()
     while not adjusted.window.cautioning.is_current:

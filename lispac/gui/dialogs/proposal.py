@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from lispac.adjustment.result import ANGLES
 from lispac.adjustment.shown import listed
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say, say_all, say_message
 from lispac.gui.panels import widgets
 from lispac.workflow.proposing import Proposal
 
@@ -35,7 +35,7 @@ class ProposalDialog(QDialog):
         layout = widgets.column(self, 16)
         layout.addWidget(widgets.label(_said(proposal), wrap=True, name="proposal_sigmas"))
         warnings = widgets.label("", "warning", wrap=True, name="proposal_warnings")
-        warnings.setText("\n".join(say(warning.text) for warning in proposal.warnings))
+        warnings.setText("\n".join(map(say_message, proposal.warnings)))
         warnings.setVisible(bool(proposal.warnings))
         layout.addWidget(warnings)
         self.table = QTableWidget(len(proposal.targets), 4)

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
 from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
@@ -311,7 +311,7 @@ class MountingView(QWidget):
         self.words.setText(words)
         self.sketch.setAccessibleDescription(words)
         doubts = lever_arm_doubts(lever_arm)
-        self.doubts.setText("\n".join(say(each) for each in doubts))
+        self.doubts.setText("\n".join(map(say_message, doubts)))
         self.doubts.setVisible(bool(doubts))
 
 

@@ -1,33 +1,17 @@
-"""What a result says besides its angles, in words: warnings, extra parameters, the fit."""
+"""What a result says besides its angles, in words: extra parameters, the fit."""
 
 from collections.abc import Sequence
 
-from lispac.adjustment.doubt import Doubt
 from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import component_shown, counted, significance_words, surface_sigmas
 from lispac.gui import theme
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.language import N_, gettext
-
-ELSEWHERE = {
-    "released": "Leave a sighting out if its points are of another surface.",
-    "cross_check": "See the cross-checks under Diagnostics.",
-}
-"""What the window can do about a doubt, by its code."""
+from lispac.messages import Message
 
 LEAST_SURFACE = 5e-5
 """Metres: below it a surface sigma shows as 0.0 mm."""
-
-
-def warnings(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
-) -> list[str]:
-    """What the user has to know before using the angles, as the report and the terminal say it."""
-    return [
-        f"{doubt.text} {ELSEWHERE.get(doubt.code, '')}".rstrip()
-        for doubt in doubts(result, checks, also)
-    ]
 
 
 def taking_part(result: AdjustmentResult) -> str:
@@ -76,7 +60,7 @@ SMALL_RESIDUALS = (
 
 
 def verdict(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Doubt] = ()
+    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> str:
     """What the chi-square test means, in words; no more than that where something is in doubt."""
     is_sure = not doubts(result, checks, also)

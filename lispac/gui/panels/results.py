@@ -17,15 +17,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.doubts import HIGH_CORRELATION
+from lispac.adjustment.doubts import HIGH_CORRELATION, doubts
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import project_doubts
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say, say_all, say_message
 from lispac.gui.panels import result_words, widgets
 from lispac.gui.panels.mounting_words import boresight_said
+from lispac.messages import Message
 from lispac.project import Project, Triple
 
 CONVENTION = (
@@ -65,7 +66,7 @@ class ResultsPanel(QWidget):
         *,
         waiting: bool = False,
         refusal: str = "",
-        older: str = "",
+        older: Message | str = "",
     ) -> None:
         """Show the result, where there is one.
 
@@ -75,7 +76,7 @@ class ResultsPanel(QWidget):
             The next result is on its way: the old one stays, greyed.
         refusal : str
             Why there is none.
-        older : str
+        older : Message or str
             Why an estimate was refused that was asked for after the result.
         """
         result = None if project is None else project.result
@@ -155,12 +156,12 @@ class ResultsPanel(QWidget):
             title = escape(say("Rotation matrix, LiDAR to body (forward, left, up):"))
             self.rotation.setText(f"{words}<br>{title}<table>{rows}</table>")
 
-    def _fill_words(self, project: Project, result: AdjustmentResult, older: str) -> None:
+    def _fill_words(self, project: Project, result: AdjustmentResult, older: Message | str) -> None:
         also = list(project_doubts(project))
         if older:
             also.insert(0, refused_since(older))
-        warnings = result_words.warnings(result, project.cross_checks, also)
-        self.warnings.setText("<br><br>".join(escape(say(each)) for each in warnings))
+        warnings = doubts(result, project.cross_checks, also)
+        self.warnings.setText("<br><br>".join(escape(say_message(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
         self.parameters.setText(units.signs(say(rows), "m", "°"))

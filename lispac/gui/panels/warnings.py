@@ -16,18 +16,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from lispac.causes import RESULT
 from lispac.gui import theme
-from lispac.gui.language import say, say_with_capital
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
-from lispac.workflow.warnings import Concern, Severity
+from lispac.language import N_, Plural, gettext
+from lispac.messages import Level, Message
 
 TITLE = "Warnings"
 ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
-LOOKS: dict[Severity, tuple[str, str, str]] = {
-    "serious": ("alert-octagon", "error", "Serious"),
-    "caution": ("alert", "warning", "Look at this"),
-    "note": ("information-outline", "muted", "Taken for granted"),
+LOOKS: dict[Level, tuple[str, str, str]] = {
+    Level.ERROR: ("alert-octagon", "error", N_("Error")),
+    Level.WARNING: ("alert", "warning", N_("Warning")),
+    Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
 """Icon, colour and word; the shapes differ too, for colours alone do not tell everybody."""
 
@@ -40,17 +42,19 @@ GO = "Click one, or press Enter on it, to go to its cause."
 WAITING = "Estimating again; these are the warnings from before the change."
 
 
-def count_words(concerns: Sequence[Concern]) -> str:
-    """``2 serious, 3 to look at``, of what there is, in the user's language."""
-    serious, caution, note = (
-        sum(each.severity == key for each in concerns) for key in ("serious", "caution", "note")
+COUNTS = {
+    Level.ERROR: Plural("{count:n} error", "{count:n} errors"),
+    Level.WARNING: Plural("{count:n} warning", "{count:n} warnings"),
+    Level.NOTE: Plural("{count:n} note", "{count:n} notes"),
+}
+
+
+def count_words(messages: Sequence[Message]) -> str:
+    """``2 warnings, 3 notes``, of what there is, in the user's language."""
+    counts = {level: sum(each.level is level for each in messages) for level in Level}
+    return ", ".join(
+        gettext(COUNTS[level], count=count) for level, count in counts.items() if count
     )
-    words = (
-        f"{serious} serious" if serious else "",
-        f"{caution} to look at" if caution else "",
-        f"{note} assumptions" if note else "",
-    )
-    return ", ".join(say(each) for each in words if each)
 
 
 class WarningsPanel(QWidget):
@@ -61,7 +65,7 @@ class WarningsPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.concerns: tuple[Concern, ...] = ()
+        self.messages: tuple[Message, ...] = ()
         self.head = widgets.label("", "muted", wrap=True, name="warnings_head")
         self.list = _List()
         self.list.itemClicked.connect(lambda item: self._follow(self.list.row(item)))
@@ -75,8 +79,8 @@ class WarningsPanel(QWidget):
         column.setSpacing(4)
         column.addWidget(self.head)
         column.addWidget(self.list, 1)
-        self._kept: Concern | None = None
-        self._said: dict[str, str] = {}
+        self._kept: Message | None = None
+        self._said: dict[Message, str] = {}
         self._turn = QTimer(self)
         self._turn.setSingleShot(True)
         self._turn.timeout.connect(self._fill)
@@ -90,7 +94,7 @@ class WarningsPanel(QWidget):
 
     def show_nothing(self) -> None:
         """No project is open."""
-        self.concerns = ()
+        self.messages = ()
         self.list.clear()
         self._say(NO_PROJECT)
 
@@ -98,41 +102,41 @@ class WarningsPanel(QWidget):
         """The list is no longer that of the project: a result is on its way."""
         self.head.setText(say(WAITING))
 
-    def show_concerns(self, concerns: Sequence[Concern]) -> None:
+    def show_warnings(self, messages: Sequence[Message]) -> None:
         """Show the list; what was current stays so where it still is there."""
         current = self.list.currentRow()
-        kept = self.concerns[current] if 0 <= current < len(self.concerns) else None
-        self.concerns = tuple(concerns)
+        kept = self.messages[current] if 0 <= current < len(self.messages) else None
+        self.messages = tuple(messages)
         self.list.clear()
         self._kept = kept
-        if not concerns:
+        if not messages:
             self._say(NOTHING)
             return
         self._fill()
-        counts = count_words(concerns)
+        counts = count_words(messages)
         self.head.setText(f"{counts[:1].upper()}{counts[1:]}. {say(GO)}")
         self._pages.setCurrentIndex(1)
 
     @property
     def is_filled(self) -> bool:
         """Whether every sentence stands in the list."""
-        return self.list.count() == len(self.concerns)
+        return self.list.count() == len(self.messages)
 
     def _fill(self) -> None:
         """Say as many sentences as one does not notice, and the others in the next turn."""
         until = time.monotonic() + TURN_S
         said = self._said
         while not self.is_filled and time.monotonic() < until:
-            concern = self.concerns[self.list.count()]
-            if concern.text not in said:
-                said[concern.text] = say_with_capital(concern.text)
-            self.list.addItem(_item(concern, said[concern.text]))
-            if concern == self._kept:
+            message = self.messages[self.list.count()]
+            if message not in said:
+                said[message] = say_message(message)
+            self.list.addItem(_item(message, said[message]))
+            if message == self._kept:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
             self._turn.start()
-        elif len(said) > len(self.concerns):
-            self._said = {each.text: said[each.text] for each in self.concerns}
+        elif len(said) > len(self.messages):
+            self._said = {each: said[each] for each in self.messages}
 
     def take_focus(self) -> None:
         """Let the keyboard go through the list."""
@@ -146,8 +150,8 @@ class WarningsPanel(QWidget):
         self._pages.setCurrentIndex(0)
 
     def _follow(self, row: int) -> None:
-        if 0 <= row < len(self.concerns):
-            self.followed.emit(self.concerns[row].cause)
+        if 0 <= row < len(self.messages):
+            self.followed.emit(self.messages[row].subject or RESULT)
 
 
 class _List(QListWidget):
@@ -184,9 +188,9 @@ class _List(QListWidget):
             super().keyPressEvent(event)
 
 
-def _item(concern: Concern, text: str) -> QListWidgetItem:
-    icon, colour, word = LOOKS[concern.severity]
-    said = say(word)
+def _item(message: Message, text: str) -> QListWidgetItem:
+    icon, colour, word = LOOKS[message.level]
+    said = gettext(word)
     made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
     made.setToolTip(
         widgets.plain_tip(f"{said}\n{say('Click, or press Enter, to go to the cause')}")
@@ -202,21 +206,22 @@ class WarningsButton(QPushButton):
         super().__init__()
         self.setObjectName("warnings_button")
         self.setStyleSheet("padding: 1px 8px;")
-        self.show_concerns(None)
+        self.show_warnings(None)
 
-    def show_concerns(self, concerns: Sequence[Concern] | None) -> None:
-        """Count what is more than a note; None where no project is open."""
-        self.setVisible(concerns is not None)
-        told = [each for each in concerns or () if each.severity != "note"]
-        worst: Severity = "note"
-        if told:
-            worst = "serious" if any(each.severity == "serious" for each in told) else "caution"
-        icon, colour, _ = LOOKS[worst] if told else ("check-circle-outline", "done", "")
+    def show_warnings(self, messages: Sequence[Message] | None) -> None:
+        """Count the messages of the highest level; None where no project is open."""
+        self.setVisible(messages is not None)
+        worst = next(
+            (level for level in Level if any(m.level is level for m in messages or ())), None
+        )
+        icon, colour = LOOKS[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
         words = (
-            "1 warning" if len(told) == 1 else f"{len(told)} warnings" if told else "No warnings"
+            count_words([each for each in messages or () if each.level is worst])
+            if worst
+            else say("No warnings")
         )
-        self.setText(say(words))
-        counts = f"{count_words(concerns)}. " if concerns else ""
+        self.setText(words)
+        counts = f"{count_words(messages)}. " if messages else ""
         self.setToolTip(f"{counts}{say('Click to see them all (F12)')}")
-        self.setAccessibleName(say(words))
+        self.setAccessibleName(words)

@@ -60,8 +60,8 @@
         <translation>Signature</translation>
     </message>
     <message>
-        <source>Numbers are written with a decimal point, as other programs take them.</source>
-        <translation>Les nombres sont écrits avec le point décimal, comme il faut les saisir dans les autres logiciels.</translation>
+        <source>Numbers are written with a decimal point, as other programs take them, except in warnings.</source>
+        <translation>Les nombres sont écrits avec le point décimal, comme il faut les saisir dans les autres logiciels, sauf dans les avertissements.</translation>
     </message>
     <message>
         <source>1 text of this report stands in English: its translation is not known.</source>

@@ -32,7 +32,7 @@ from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
 from lispac.gui.dialogs.import_files.work import Work
 from lispac.gui.dialogs.questions import Questions
 from lispac.gui.drops import FileDrops
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
@@ -290,7 +290,7 @@ class ImportDialog(QDialog):
         if not (doubts := self.mounting.doubts):
             return ""
         more = f", {say(f'and {len(doubts) - 1} more')}" if doubts[1:] else ""
-        return f"{say(doubts[0])} ({say('Mounting and accuracies')}{more})"
+        return f"{say_message(doubts[0])} ({say('Mounting and accuracies')}{more})"
 
     # -- what is asked -----------------------------------------------------------------------
 

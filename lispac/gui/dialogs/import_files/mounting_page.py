@@ -9,6 +9,7 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.io.sensor_file import PosState, ScannerFigures
+from lispac.messages import Message
 from lispac.project import Settings
 from lispac.survey.lever_arm import lever_arm_doubts
 from lispac.workflow.sensors import Library
@@ -59,8 +60,8 @@ class MountingPage(QScrollArea):
         )
 
     @property
-    def doubts(self) -> tuple[str, ...]:
-        """What to look at again in the mounting, a sentence each."""
+    def doubts(self) -> tuple[Message, ...]:
+        """What to check in the mounting."""
         return lever_arm_doubts(self.lever_arm.value())
 
     def show_accuracy(self, name: str) -> None:

@@ -1,0 +1,66 @@
+"""Texts of parts of messages: quantities, and items of lists."""
+
+from collections.abc import Mapping
+
+from lispac.language import N_, Plural, Template
+
+TEXTS: Mapping[str, Template] = {
+    "item.more": Plural("{count:n} more", "{count:n} more"),
+    # -- quantities --------------------------------------------------------------------------
+    "quantity.roll": N_("roll"),
+    "quantity.pitch": N_("pitch"),
+    "quantity.yaw": N_("yaw"),
+    "quantity.lever_x": N_("lever arm X"),
+    "quantity.lever_y": N_("lever arm Y"),
+    "quantity.lever_z": N_("lever arm Z"),
+    "quantity.range_offset": N_("range offset"),
+    "quantity.scan_angle_offset": N_("scan-angle offset"),
+    "quantity.latency": N_("latency"),
+    "amount.m": N_("{value:m.4} m"),
+    "amount.deg": N_("{value:deg.4} deg"),
+    "amount.ms": N_("{value:ms.2} ms"),
+    "change.m": N_("{value:m.4+} m"),
+    "change.deg": N_("{value:deg.4+} deg"),
+    "change.ms": N_("{value:ms.2+} ms"),
+    # -- sightings and targets ---------------------------------------------------------------
+    "item.sighting": N_("{target} on line {line}"),
+    "item.sighting_shifted": N_("{target} on line {line} (off by {shift:mm.1} mm, w {w:x.1+})"),
+    "item.sighting_angles": N_("{target} on line {line} ({angles:names})"),
+    "item.share_of_points": N_("{share:percent.0} % of the points of {target}"),
+    "item.points_in_common": N_("{one} with {other} ({share:percent.0} % on {line})"),
+    "item.mean_distance": N_("{name} ({mean:mm.1+} mm, ± {interval:mm.1} mm)"),
+    # -- angles ------------------------------------------------------------------------------
+    "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
+    "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),
+    "item.angle_difference": N_("{angle} {difference:deg.2+} deg"),
+    "item.angle_changed": N_("{angle} by {change:deg.3+} deg ({ratio:x.1} of its sigmas)"),
+    "item.without_line": N_(
+        "without line {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+    ),
+    "item.without_target": N_(
+        "without target {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+    ),
+    "item.halves": N_(
+        "first half minus second half ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+    ),
+    # -- causes of residuals -----------------------------------------------------------------
+    "cause.larger": N_("{parameter} larger by {amount}"),
+    "cause.smaller": N_("{parameter} smaller by {amount}"),
+    "cause.line_boresight": N_("another boresight of line {line}"),
+    "cause.line_position": N_("position on line {line} off by {shift:mm.1} mm"),
+    "cause.times_early": N_("point times of line {line} {offset:ms.2} ms early"),
+    "cause.times_late": N_("point times of line {line} {offset:ms.2} ms late"),
+    "cause.sighting_surface": N_("another surface instead of {target} on line {line}"),
+    "cause.target_surface": N_("target {target} not one flat surface"),
+    "cause.sighting_shift": N_("target {target} off by {shift:mm.1} mm on line {line}"),
+    "cause.several_scanners": N_("points of several scanners in one line"),
+    "cause.several_sources": N_("points of several sources in one line"),
+    "cause.same_time": N_("lines with points of the same time"),
+    "cause.time_resolution": N_("coarse point times"),
+    "cause.height_offset": N_("an offset of the heights"),
+    "cause.time_offset": N_("an offset of the point times"),
+    "cause.lever_arm": N_("another lever arm used for the cloud"),
+    "cause.attitude_sign": N_("a wrong sign of the attitude"),
+    "cause.off_the_beams": N_("points that do not lie on the beams of the scanner"),
+    "cause.rate_too_low": N_("a trajectory with too few states"),
+}

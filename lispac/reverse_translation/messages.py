@@ -1,0 +1,25 @@
+"""Texts of messages that hold English sentences of code without typed messages."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from lispac.message_texts import message_text
+from lispac.messages import Message
+
+REASON = "reason"
+"""Parameter that is such a sentence where it is a text."""
+
+
+def text_said(message: Message, say: Callable[[str], str]) -> str:
+    """Text of a message in the language in use; ``say`` translates sentences within it."""
+    return message_text(_with_reasons(message, say))
+
+
+def _with_reasons(message: Message, say: Callable[[str], str]) -> Message:
+    params = dict(message.params)
+    for name, value in params.items():
+        if isinstance(value, Message):
+            params[name] = _with_reasons(value, say)
+        elif name == REASON and isinstance(value, str):
+            params[name] = say(value)
+    return replace(message, params=params)
