@@ -303,7 +303,7 @@ def test_a_sound_answer_leaves_no_doubt(
     result, checks = project.result, project.cross_checks
     assert result is not None
     assert doubts(result, checks) == ()
-    assert result_words.verdict(result, checks).endswith("the uncertainties can be used.")
+    assert result_words.verdict(result, checks).endswith("The uncertainties can be used.")
     print_result(result, checks)
     assert "To know before" not in capsys.readouterr().out
 

@@ -133,7 +133,7 @@ def _reason_undetermined(linearised: Linearised) -> Message | None:
     parallel = _parallel_lines(linearised)
     if len(targets) == 1:
         return note(
-            "adjustment.parallel_lines_one_target" if parallel else "adjustment.one_target",
+            "adjustment.parallel_lines_one_target" if parallel else "adjustment.single_target",
             target=targets[0],
         )
     if _one_facing(linearised):

@@ -66,7 +66,7 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.angle_with_one": N_("{first} together with {second}"),
     "adjustment.angle_with_two": N_("{first} together with {second} and {third}"),
     "adjustment.parallel_lines": N_("All lines run parallel."),
-    "adjustment.one_target": N_("{target} is the only target."),
+    "adjustment.single_target": N_("{target} is the only target."),
     "adjustment.one_orientation": N_("All targets face the same way."),
     "adjustment.parallel_lines_one_target": N_(
         "All lines run parallel, and {target} is the only target."
