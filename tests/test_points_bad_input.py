@@ -195,7 +195,7 @@ def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
     on_map = doubts_of(tmp_path, near + [350_000, 5e6, 0])
     assert "names no coordinate system" in on_map
     assert "millimetres" not in on_map
-    assert "check the unit" in doubts_of(tmp_path, near * 60)  # millimetres or feet
+    assert "millimetres" in doubts_of(tmp_path, near * 60)  # millimetres or feet
     assert "choose the scanner frame and that unit" in doubts_of(tmp_path, near * 1000)
     assert "hardly the scanner" in doubts_of(tmp_path, near + [600, 100, 0])
     assert "comes from feet" in doubts_of(tmp_path, near, scale=0.0003048)

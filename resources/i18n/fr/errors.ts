@@ -16,18 +16,6 @@
         <translation>Aucun point de la cible {target} ne s&apos;accorde avec les autres cibles et lignes ; choisissez-la de nouveau ou écartez-la.</translation>
     </message>
     <message>
-        <source>No target is used on two lines, so nothing compares them ({names:kept}); seed each on other lines too.</source>
-        <translation>Aucune cible n&apos;est utilisée sur deux lignes, rien ne les compare donc ({names}) ; placez chacune aussi sur d&apos;autres lignes.</translation>
-    </message>
-    <message>
-        <source>These points do not determine boresight and targets; add targets or lines.</source>
-        <translation>Ces points ne déterminent pas les angles de visée et les cibles ; ajoutez des cibles ou des lignes.</translation>
-    </message>
-    <message>
-        <source>There is no target to adjust; pick planar targets first.</source>
-        <translation>Il n&apos;y a pas de cible à compenser ; désignez d&apos;abord des cibles planes.</translation>
-    </message>
-    <message>
         <source>Target {target:kept} has only {count} points on line {line:kept}; a plane needs at least three: pick it again or leave that line out.</source>
         <translation>La cible {target} n&apos;a que {count} points sur la ligne {line} ; un plan en demande au moins trois : désignez-la de nouveau ou écartez cette ligne.</translation>
     </message>
@@ -36,16 +24,8 @@
         <translation>Valeur qui n&apos;est pas un nombre ({name}) ; écartez ce point.</translation>
     </message>
     <message>
-        <source>A point lies in the scanner itself; leave it out.</source>
-        <translation>Un point se trouve dans le scanneur même ; écartez-le.</translation>
-    </message>
-    <message>
         <source>A {name} sigma is negative or not a number; correct it.</source>
         <translation>Écart-type négatif ou qui n&apos;est pas un nombre ({name}) ; corrigez-le.</translation>
-    </message>
-    <message>
-        <source>The LiDAR sigma must be larger than zero; correct it.</source>
-        <translation>L&apos;écart-type du LiDAR doit être supérieur à zéro ; corrigez-le.</translation>
     </message>
     <message>
         <source>not tested: with uncorrelated POS errors the sigmas are too small</source>
@@ -310,10 +290,6 @@
         <translation>{name} : plus d&apos;une ligne de texte ; mettez le reste dans les remarques.</translation>
     </message>
     <message>
-        <source>{name}: it holds a letter that cannot be printed; type it anew.</source>
-        <translation>{name} : contient un caractère qui ne peut être imprimé ; saisissez de nouveau.</translation>
-    </message>
-    <message>
         <source>{name}: longer than {longest:n} letters; shorten it.</source>
         <translation>{name} : plus de {longest} caractères ; raccourcissez.</translation>
     </message>
@@ -328,18 +304,6 @@
     <message>
         <source>A target&apos;s name needs 1 to {LONGEST_NAME} printable characters; {longest_name:foreign} does not do.</source>
         <translation>Le nom d&apos;une cible demande de 1 à {LONGEST_NAME} caractères imprimables ; {longest_name} ne convient pas.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: a target&apos;s name cannot hold a slash or a colon.</source>
-        <translation>{name} : le nom d&apos;une cible ne peut contenir ni barre oblique ni deux-points.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: only a sphere has a radius; leave it out for a plane.</source>
-        <translation>{name} : seule une sphère a un rayon ; n&apos;en donnez pas pour un plan.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: a sphere needs a radius above 0 m, or none if unknown.</source>
-        <translation>{name} : une sphère demande un rayon supérieur à 0 m, ou aucun s&apos;il est inconnu.</translation>
     </message>
     <message>
         <source>{name:kept}: lines are compared on planes only; use the sphere as a target.</source>
@@ -382,16 +346,8 @@
         <translation>L&apos;écart-type du LiDAR est donné en x, y, z et le long du faisceau ; donnez l&apos;un des deux.</translation>
     </message>
     <message>
-        <source>A correlation time must be larger than zero seconds; correct it.</source>
-        <translation>Un temps de corrélation doit être supérieur à zéro seconde ; corrigez-le.</translation>
-    </message>
-    <message>
         <source>The surface sigma is negative; correct it.</source>
         <translation>L&apos;écart-type des surfaces est négatif ; corrigez-le.</translation>
-    </message>
-    <message>
-        <source>The longest gap bridged must be longer than zero seconds.</source>
-        <translation>La plus longue lacune franchie doit dépasser zéro seconde.</translation>
     </message>
     <message>
         <source>There is no loss named {loss:kept}.</source>
@@ -408,10 +364,6 @@
     <message>
         <source>The sigma of {name:kept} must be larger than zero.</source>
         <translation>L&apos;écart-type de {name} doit être supérieur à zéro.</translation>
-    </message>
-    <message>
-        <source>A parameter is to be estimated twice; name it once.</source>
-        <translation>Un paramètre est à estimer deux fois ; nommez-le une seule fois.</translation>
     </message>
     <message>
         <source>A prior boresight angle is beyond 360 deg; give degrees.</source>
@@ -489,20 +441,12 @@
         <translation>{path} : {size} octets ne font pas un nombre entier de points de {RECORD} octets (le dernier en a {record}) ; le fichier est tronqué ou n&apos;est pas de CIDCO : copiez-le ou exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: point {bad:n} does not hold together (distance to the POS, angles or sigmas): the file is not CIDCO&apos;s or has another byte order; export it again.</source>
-        <translation>{path} : le point {bad} n&apos;est pas cohérent (distance au POS, angles ou écarts-types) : le fichier n&apos;est pas de CIDCO ou a un autre ordre des octets ; exportez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>Where the file&apos;s local frame stands on Earth: latitude and longitude in degrees, height in metres above the ellipsoid, 46.8 -71.2 20 say.</source>
         <translation>Où le repère local du fichier se trouve sur la Terre : latitude et longitude en degrés, hauteur en mètres au-dessus de l&apos;ellipsoïde, par exemple 46.8 -71.2 20.</translation>
     </message>
     <message>
         <source>{path:file}: two points at {unlike:n} s hold different POS states, so these are not one trajectory: check that all files are of one survey.</source>
         <translation>{path} : deux points à {unlike} s ont des états du POS différents ; ce n&apos;est donc pas une seule trajectoire : vérifiez que tous les fichiers sont du même levé.</translation>
-    </message>
-    <message>
-        <source>{path:file}: a trajectory needs two states at least; join more files.</source>
-        <translation>{path} : une trajectoire demande au moins deux états ; joignez plus de fichiers.</translation>
     </message>
     <message>
         <source>The origin {text:kept} is not latitude, longitude (degrees) and height (metres); check it, or leave it out.</source>
@@ -549,32 +493,12 @@
         <translation>temps tels quels ; points et trajectoire ont la même base de temps</translation>
     </message>
     <message>
-        <source>{path:file}: the scans do not say when they started; take the time stamps as they are (option time_from: zero).</source>
-        <translation>{path} : les balayages ne disent pas quand ils ont commencé ; prenez les temps tels quels (option time_from : zero).</translation>
-    </message>
-    <message>
-        <source>{path:file}: E57 cannot be read on this system (pye57 has no build for it); convert the file to LAZ.</source>
-        <translation>{path} : l&apos;E57 ne peut pas être lu sur ce système (pye57 n&apos;existe pas pour lui) ; convertissez le fichier en LAZ.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this is not E57: its header is missing or damaged.</source>
-        <translation>{path} : ce n&apos;est pas un E57 : son en-tête manque ou est endommagé.</translation>
-    </message>
-    <message>
         <source>{path:file}: the header of this E57 file speaks of {length:n} bytes, it has {size:n}; it is cut short or damaged: copy or export it again.</source>
         <translation>{path} : l&apos;en-tête de ce fichier E57 annonce {length} octets, il en a {size} ; il est tronqué ou endommagé : copiez-le ou exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>{path:file}: this file holds no points; leave it out.</source>
         <translation>{path} : ce fichier ne contient aucun point ; écartez-le.</translation>
-    </message>
-    <message>
-        <source>{path:file}: its scans have different fields; export them one by one.</source>
-        <translation>{path} : ses balayages ont des champs différents ; exportez-les un par un.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the points have no coordinates; export the file again.</source>
-        <translation>{path} : les points n&apos;ont pas de coordonnées ; exportez le fichier de nouveau.</translation>
     </message>
     <message>
         <source>{path:file}: a scan promises {count:n} points and holds {done:n}; copy or export it again.</source>
@@ -637,10 +561,6 @@
         <translation>périphérique de stockage</translation>
     </message>
     <message>
-        <source>{path:file}: this is a {packing}; unpack it and choose the file inside.</source>
-        <translation>{path} : c&apos;est un fichier compressé ({packing}) ; décompressez-le et choisissez le fichier qu&apos;il contient.</translation>
-    </message>
-    <message>
         <source>{path:file}: this is a spreadsheet or another office document; save it as text (CSV).</source>
         <translation>{path} : c&apos;est un classeur ou un autre document bureautique ; enregistrez-le en texte (CSV).</translation>
     </message>
@@ -681,16 +601,8 @@
         <translation>bzip2</translation>
     </message>
     <message>
-        <source>{path:file}: this {what} file cannot be read; check its permissions.</source>
-        <translation>{path} : ce fichier ({what}) ne peut être lu ; vérifiez ses droits d&apos;accès.</translation>
-    </message>
-    <message>
         <source>{path:file}: this {what} file is empty; export it again.</source>
         <translation>{path} : ce fichier ({what}) est vide ; exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this {what} file cannot be read to its end ({error:foreign}); check that the disk is there and nothing else writes to it.</source>
-        <translation>{path} : ce fichier ({what}) ne peut être lu jusqu&apos;à sa fin ({error}) ; vérifiez que le disque est là et que rien d&apos;autre n&apos;y écrit.</translation>
     </message>
     <message>
         <source>{path:file}: {what} record {bad:n} holds a value that is not a number ({such}); export it again.</source>
@@ -735,10 +647,6 @@
     <message>
         <source>{file:file}: the two point counts of the header differ ({header:n} and {legacy:n}). The file holds {held:n} points, and all are read.</source>
         <translation>{file} : les deux nombres de points de l&apos;en-tête diffèrent ({header} et {legacy}). Le fichier contient {held} points, et tous sont lus.</translation>
-    </message>
-    <message>
-        <source>{file:file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are not read. Export the file again if points are missing.</source>
-        <translation>{file} : {bytes} octets suivent les {held} points et ne ressemblent pas à des points. Ils ne sont pas lus. Exportez de nouveau le fichier s&apos;il manque des points.</translation>
     </message>
     <message>
         <source>{file:file}: {count:n} of {total:n} points are marked as invalid in the file. They are not used.</source>
@@ -829,10 +737,6 @@
         <translation>{name} : des points sont à plus de {scales} unités de la trajectoire, trop loin pour être stockés avec elle ; nettoyez la ligne.</translation>
     </message>
     <message>
-        <source>{name:file}: the column {dimension:kept} holds {most:kept}, more than LAS has room for ({shift:kept}); correct it in the source.</source>
-        <translation>{name} : la colonne {dimension} contient {most}, plus que LAS n&apos;a de place ({shift}) ; corrigez-la dans la source.</translation>
-    </message>
-    <message>
         <source>{path:file}: LAZ would not keep what points of several scanner channels say of their waveforms (point format {id}); write LAS instead.</source>
         <translation>{path} : le LAZ ne garderait pas ce que des points de plusieurs canaux du scanneur disent de leurs formes d&apos;onde (format de point {id}) ; écrivez plutôt du LAS.</translation>
     </message>
@@ -877,14 +781,6 @@
         <translation>{path} : un sommet n&apos;est pas un nombre ; exportez le maillage de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}: all its triangles are without area; export the mesh again.</source>
-        <translation>{path} : tous ses triangles sont sans surface ; exportez le maillage de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this is not PCD: its header is missing or damaged.</source>
-        <translation>{path} : ce n&apos;est pas un PCD : son en-tête manque ou est endommagé.</translation>
-    </message>
-    <message>
         <source>{path:file}: the PCD data kind {kind:kept} is not known.</source>
         <translation>{path} : le genre de données PCD {kind} n&apos;est pas connu.</translation>
     </message>
@@ -901,24 +797,12 @@
         <translation>{path} : l&apos;en-tête de ce fichier PCD est endommagé (points {count}).</translation>
     </message>
     <message>
-        <source>{path:file}: the compressed points do not fit the header ({size:n} bytes, {count:n} points promised); copy or export it again.</source>
-        <translation>{path} : les points compressés ne correspondent pas à l&apos;en-tête ({size} octets, {count} points annoncés) ; copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the compressed points are damaged; copy or export it again.</source>
-        <translation>{path} : les points compressés sont endommagés ; copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}: {key2:kept} has no board; add [[boards]] or [[balls]].</source>
         <translation>{path} : {key2} n&apos;a pas de panneau ; ajoutez [[boards]] ou [[balls]].</translation>
     </message>
     <message>
         <source>{path:file}: {key2:kept} is empty; add [[lines]].</source>
         <translation>{path} : {key2} est vide ; ajoutez [[lines]].</translation>
-    </message>
-    <message>
-        <source>{path:file}: {key2:kept} has {name:kept} twice; give each target its own name.</source>
-        <translation>{path} : {key2} a deux fois {name} ; donnez à chaque cible son propre nom.</translation>
     </message>
     <message>
         <source>{path:file}: {key2:kept} and width_m differ in number; give one of each a size.</source>
@@ -929,10 +813,6 @@
         <translation>{path} : {key2} contient {value} ; donnez un nombre entier.</translation>
     </message>
     <message>
-        <source>No plane file was given; name at least one.</source>
-        <translation>Aucun fichier de plan n&apos;a été indiqué ; nommez-en au moins un.</translation>
-    </message>
-    <message>
         <source>{path:file}: not a plane file of {COLUMNS} columns of numbers ({error:foreign}).</source>
         <translation>{path} : ce n&apos;est pas un fichier de plan de {COLUMNS} colonnes de nombres ({error}).</translation>
     </message>
@@ -941,16 +821,8 @@
         <translation>{path} : ce fichier de plan ne contient aucun point.</translation>
     </message>
     <message>
-        <source>{path:file}: a plane file has {COLUMNS} columns, this has {shape}; export it from the plane preparation again.</source>
-        <translation>{path} : un fichier de plan a {COLUMNS} colonnes, celui-ci en a {shape} ; exportez-le de nouveau depuis la préparation des plans.</translation>
-    </message>
-    <message>
         <source>{path:file}: row {bad:n} holds a value that is not a number.</source>
         <translation>{path} : la rangée {bad} contient une valeur qui n&apos;est pas un nombre.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the plane&apos;s normal (columns 21 to 23) has length {normal:n}, not 1.</source>
-        <translation>{path} : la normale du plan (colonnes 21 à 23) a la longueur {normal}, et non 1.</translation>
     </message>
     <message>
         <source>plane file, 25 columns</source>
@@ -965,16 +837,8 @@
         <translation>Un fichier de plan contient les points d&apos;une cible sur toutes les lignes, pas une ligne.</translation>
     </message>
     <message>
-        <source>{path:file}: this is not PLY: its header is missing or damaged.</source>
-        <translation>{path} : ce n&apos;est pas un PLY : son en-tête manque ou est endommagé.</translation>
-    </message>
-    <message>
         <source>{path:file}: the PLY format {missing:kept} is not known.</source>
         <translation>{path} : le format PLY {missing} n&apos;est pas connu.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this PLY file has no vertices.</source>
-        <translation>{path} : ce fichier PLY n&apos;a pas de sommets.</translation>
     </message>
     <message>
         <source>{path:file}: the header of this PLY file is damaged (count {text:foreign}).</source>
@@ -1053,10 +917,6 @@
         <translation>{name}, converti en mètres</translation>
     </message>
     <message>
-        <source>{path:file}: cannot be read to its end ({error:foreign}); check the disk or network drive, or copy it again.</source>
-        <translation>{path} : ne peut être lu jusqu&apos;à la fin ({error}) ; vérifiez le disque ou le lecteur réseau, ou copiez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}: cannot be read as {what} ({reason:foreign}); copy or export it again.</source>
         <translation>{path} : illisible comme {what} ({reason}) ; copiez-le ou exportez-le de nouveau.</translation>
     </message>
@@ -1065,16 +925,8 @@
         <translation>{path} : il n&apos;y a pas de champ {wanted} ; il a {names}.</translation>
     </message>
     <message>
-        <source>, as where the byte order is another one than the file says</source>
-        <translation>, comme lorsque l&apos;ordre des octets n&apos;est pas celui que dit le fichier</translation>
-    </message>
-    <message>
         <source>{path:file}: times around {float:n} are stored with 32 bits, in steps of {step:n} s: too coarse to put points on the trajectory; export with 64-bit time.</source>
         <translation>{path} : les temps vers {float} sont stockés en 32 bits, par pas de {step} s : trop grossier pour placer des points sur la trajectoire ; exportez avec un temps de 64 bits.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {len:n} points share the time {float:n}; the file was written without times: export it with them.</source>
-        <translation>{path} : {len} points ont le même temps {float} ; le fichier a été écrit sans temps : exportez-le avec.</translation>
     </message>
     <message>
         <source>time from, to</source>
@@ -1177,18 +1029,6 @@
         <translation>{path} : les points de la cible {target} sont endommagés ({in_one_line}) ; restaurez le fichier depuis une copie du projet, ou refaites le projet.</translation>
     </message>
     <message>
-        <source>{path:file}: the header promises {count:n} points, the file has room for {max:n}; it is cut short: copy or export it again.</source>
-        <translation>{path} : l&apos;en-tête annonce {count} points, le fichier a de la place pour {max} ; il est tronqué : copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: point {number:n} reads {strip:foreign}, which is not {len:n} numbers as the header says; copy or export it again.</source>
-        <translation>{path} : le point {number} se lit {strip}, ce qui ne fait pas {len} nombres comme le dit l&apos;en-tête ; copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the field {name:kept} holds more than one value a point.</source>
-        <translation>{path} : le champ {name} contient plus d&apos;une valeur par point.</translation>
-    </message>
-    <message>
         <source>The time {field:kept} is in whole numbers: state its unit.</source>
         <translation>Le temps {field} est en nombres entiers : indiquez son unité.</translation>
     </message>
@@ -1205,20 +1045,8 @@
         <translation>{name} n&apos;a pas d&apos;option {name2} ; ne l&apos;indiquez pas.</translation>
     </message>
     <message>
-        <source>{path:file}: a trajectory needs at least two SBET records, this has one; export more.</source>
-        <translation>{path} : une trajectoire demande au moins deux enregistrements SBET, ce fichier en a un ; exportez-en plus.</translation>
-    </message>
-    <message>
-        <source>check the unit and that this is SBET</source>
-        <translation>vérifiez l&apos;unité et que c&apos;est bien un SBET</translation>
-    </message>
-    <message>
         <source>latitude and longitude look exchanged: choose the order longitude-latitude</source>
         <translation>latitude et longitude semblent échangées : choisissez l&apos;ordre longitude-latitude</translation>
-    </message>
-    <message>
-        <source>these look like degrees: choose the unit degrees, or export in radians</source>
-        <translation>celles-ci ressemblent à des degrés : choisissez l&apos;unité degrees, ou exportez en radians</translation>
     </message>
     <message>
         <source>it may be of another byte order or another format: export it again</source>
@@ -1229,16 +1057,8 @@
         <translation>{path} : latitude ou longitude hors limites en {unit} à partir de l&apos;enregistrement SBET {first} (jusqu&apos;à {largest}) ; ce n&apos;est pas un SBET en {unit2} : {hint}.</translation>
     </message>
     <message>
-        <source>{path:file}: its numbers are big-endian, which smrmsg is not; export it again with little-endian numbers.</source>
-        <translation>{path} : ses nombres sont gros-boutistes (big-endian), ce que smrmsg n&apos;est pas ; exportez-le de nouveau en petit-boutiste.</translation>
-    </message>
-    <message>
         <source>{path:file}: an accuracy is negative; this is not an smrmsg file: choose another.</source>
         <translation>{path} : une précision est négative ; ce n&apos;est pas un fichier smrmsg : choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {size:n} bytes are not two SBET records; export it again.</source>
-        <translation>{path} : {size} octets ne font pas deux enregistrements SBET ; exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>not two SBET records</source>
@@ -1247,10 +1067,6 @@
     <message>
         <source>The numbers are big-endian, which SBET is not; check who wrote the file.</source>
         <translation>Les nombres sont gros-boutistes (big-endian), ce que SBET n&apos;est pas ; vérifiez qui a écrit le fichier.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this SBET file cannot be read; check that the disk is there.</source>
-        <translation>{path} : ce fichier SBET ne peut être lu ; vérifiez que le disque est là.</translation>
     </message>
     <message>
         <source>The file ends within a record ({record} of {RECORD} bytes): it is cut short or not SBET; copy or export it again.</source>
@@ -1357,20 +1173,8 @@
         <translation>{path} : {key2} est vide ; donnez l&apos;élévation de chaque faisceau.</translation>
     </message>
     <message>
-        <source>{path:file}: {key2:kept} is missing; write [[surfaces]] above each surface.</source>
-        <translation>{path} : {key2} manque ; écrivez [[surfaces]] au-dessus de chaque surface.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {key2:kept} cannot be used for a target: {error}.</source>
-        <translation>{path} : {key2} ne peut servir de cible : {error}.</translation>
-    </message>
-    <message>
         <source>{path:file}: {key2:kept} {name:kept} stands twice; give each target a name of its own.</source>
         <translation>{path} : {key2} {name} apparaît deux fois ; donnez à chaque cible un nom propre.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {key2:kept} cannot be given to a {kind}; seek boards, walls and spheres.</source>
-        <translation>{path} : {key2} ne peut être donné à ceci : {kind} ; cherchez des panneaux, des murs et des sphères.</translation>
     </message>
     <message>
         <source>{path:file}: {key2:kept} is validation; a ball can only be a target.</source>
@@ -1381,16 +1185,8 @@
         <translation>{path} : {key2} manque ; dites à quelle distance passent les lignes.</translation>
     </message>
     <message>
-        <source>{path:file}: {key2:kept} lies along the heading; the site has to lie abeam.</source>
-        <translation>{path} : {key2} est le long du cap ; le site doit être par le travers.</translation>
-    </message>
-    <message>
         <source>{path:file}: {key2:kept} mixes headings with start_s; give one of the two in all.</source>
         <translation>{path} : {key2} mêle des caps et start_s ; donnez l&apos;un des deux partout.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {key2:kept} is missing; write [[lines]] above each line.</source>
-        <translation>{path} : {key2} manque ; écrivez [[lines]] au-dessus de chaque ligne.</translation>
     </message>
     <message>
         <source>{path:file}: {key2:kept} holds a line of less than 1 m; give run_in_m and run_out_m.</source>
@@ -1421,10 +1217,6 @@
         <translation>ne commencent pas par un nom</translation>
     </message>
     <message>
-        <source>which are x, y, z is not clear</source>
-        <translation>ne disent pas clairement où sont x, y, z</translation>
-    </message>
-    <message>
         <source>{path:file}, row {row}: {count} of its {len:n} columns are numbers, and {named}; put a row of names above them (name, x, y, z), or state the columns.</source>
         <translation>{path}, rangée {row} : {count} de ses {len} colonnes sont des nombres, et {named} ; mettez au-dessus une rangée de noms (name, x, y, z), ou indiquez les colonnes.</translation>
     </message>
@@ -1445,10 +1237,6 @@
         <translation>{where} : {axis} vaut {axis2}, ce qui n&apos;est pas un nombre ; corrigez la rangée ou retirez-la.</translation>
     </message>
     <message>
-        <source>{where}: the role is {word:foreign}; give target or validation (T or V), or leave it empty.</source>
-        <translation>{where} : le rôle est {word} ; donnez target ou validation (T ou V), ou laissez-le vide.</translation>
-    </message>
-    <message>
         <source>{where}: sigma is {text:foreign}, which is no number of metres that is zero or more; correct the row.</source>
         <translation>{where} : sigma vaut {text}, ce qui n&apos;est pas un nombre de mètres supérieur ou égal à zéro ; corrigez la rangée.</translation>
     </message>
@@ -1461,10 +1249,6 @@
         <translation>{path}, rangée {row} : ces coordonnées sont déjà dans la rangée {coordinates} ; une cible se désigne une seule fois.</translation>
     </message>
     <message>
-        <source>{path:file}: point {good:n} has a coordinate that is not a usable number; clean or export it again.</source>
-        <translation>{path} : le point {good} a une coordonnée qui n&apos;est pas un nombre utilisable ; nettoyez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}: this {WHAT} holds no points; export it again.</source>
         <translation>{path} : ce fichier ({WHAT}) ne contient aucun point ; exportez-le de nouveau.</translation>
     </message>
@@ -1475,10 +1259,6 @@
     <message>
         <source>{path:file}: no row of coordinates is in it; give rows of x, y, z.</source>
         <translation>{path} : il ne contient aucune rangée de coordonnées ; donnez des rangées x, y, z.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {sample:n}: three coordinates are needed; name the columns x, y, z in a row above them.</source>
-        <translation>{path}, rangée {sample} : il faut trois coordonnées ; nommez les colonnes x, y, z dans une rangée au-dessus.</translation>
     </message>
     <message>
         <source>{path:file}, row {sample:n}: a static scan as text is read with decimal points; this one has commas: export it again.</source>
@@ -1537,30 +1317,6 @@
         <translation>{path} : les rangées doivent être des nombres ({error}).</translation>
     </message>
     <message>
-        <source>{path:file}: this text is UTF-16; save it as UTF-8.</source>
-        <translation>{path} : ce texte est en UTF-16 ; enregistrez-le en UTF-8.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this is not text with one point a row.</source>
-        <translation>{path} : ce n&apos;est pas un texte d&apos;un point par rangée.</translation>
-    </message>
-    <message>
-        <source>{name:file}: {text:kept} cannot stand in CSV; rename it.</source>
-        <translation>{name} : {text} ne peut figurer dans un CSV ; renommez-le.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {number:n}: this is not text; choose the format it has.</source>
-        <translation>{path}, rangée {number} : ce n&apos;est pas du texte ; choisissez le format du fichier.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this {what} file cannot be read to its end ({strerror:foreign}); check that the disk is there.</source>
-        <translation>{path} : ce fichier ({what}) ne peut être lu jusqu&apos;à sa fin ({strerror}) ; vérifiez que le disque est là.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {row:n}: {name:kept} is {index:foreign}, which is not a usable value; check the columns stated, or export the file again.</source>
-        <translation>{path}, rangée {row} : {name} vaut {index}, une valeur inutilisable ; vérifiez les colonnes indiquées, ou exportez le fichier de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}: the file holds no rows of data; check what is stated of its separators and header, or export it again.</source>
         <translation>{path} : le fichier ne contient aucune rangée de données ; vérifiez ce qui est indiqué de ses séparateurs et de son en-tête, ou exportez-le de nouveau.</translation>
     </message>
@@ -1571,10 +1327,6 @@
     <message>
         <source>{path:file}: this is not sound TOML ({error:foreign}); correct it.</source>
         <translation>{path} : ce n&apos;est pas du TOML correct ({error}) ; corrigez-le.</translation>
-    </message>
-    <message>
-        <source>{path:file}: {key2:kept} is {value:foreign}, not a text; put words between quotes.</source>
-        <translation>{path} : {key2} vaut {value}, pas un texte ; mettez les mots entre guillemets.</translation>
     </message>
     <message>
         <source>{path:file}: {key2:kept} is {value:foreign}; give one of {words:kept}.</source>
@@ -1621,10 +1373,6 @@
         <translation>{path} : {key2} contient {value}, qui n&apos;est pas un nombre ; corrigez-le.</translation>
     </message>
     <message>
-        <source>{path:file}: {key2:kept} holds {value:kept}, which is not finite; correct it.</source>
-        <translation>{path} : {key2} contient {value}, qui n&apos;est pas fini ; corrigez-le.</translation>
-    </message>
-    <message>
         <source>{path:file}: {key2:kept} holds {value:n}; give {wanted}.</source>
         <translation>{path} : {key2} contient {value} ; donnez {wanted}.</translation>
     </message>
@@ -1645,16 +1393,8 @@
         <translation>{path}, {place} : une hauteur de {height} m est impossible ; vérifiez les colonnes et leur unité.</translation>
     </message>
     <message>
-        <source>{path:file}, {place}: roll, pitch, heading {angles:kept} deg cannot be; state degrees where radians were taken, or check the columns.</source>
-        <translation>{path}, {place} : roulis, tangage, cap {angles} deg sont impossibles ; indiquez des degrés si des radians ont été supposés, ou vérifiez les colonnes.</translation>
-    </message>
-    <message>
         <source>hours, minutes and seconds</source>
         <translation>heures, minutes et secondes</translation>
-    </message>
-    <message>
-        <source>{path:file}: a trajectory needs at least two rows, this has one; export more.</source>
-        <translation>{path} : une trajectoire demande au moins deux rangées, ce fichier en a une ; exportez-en plus.</translation>
     </message>
     <message>
         <source>{path:file}, row {row:n}: a standard deviation is negative; check that this is the column of standard deviations, or export again.</source>
@@ -1687,10 +1427,6 @@
     <message>
         <source>{path:file}: its rows have a date, so their times are UTC or GPS seconds, not {name}; choose unix (UTC) or gps-full (GPS).</source>
         <translation>{path} : ses rangées ont une date ; leurs temps sont donc des secondes UTC ou GPS, et non ceci : {name} ; choisissez unix (UTC) ou gps-full (GPS).</translation>
-    </message>
-    <message>
-        <source>latitude and longitude may be swapped: state the columns the other way round</source>
-        <translation>latitude et longitude sont peut-être échangées : indiquez les colonnes dans l&apos;autre ordre</translation>
     </message>
     <message>
         <source>they are degrees read as radians: state degrees</source>
@@ -1935,14 +1671,6 @@
     <message>
         <source>{path:file}: the shift from {name:kept} to {name2:kept} changes with time: state the date of the survey as a decimal year (its epoch; at the command line --epoch 2024.5, or epoch=2024.5 among the options of a line).</source>
         <translation>{path} : le passage de {name} à {name2} change avec le temps : indiquez la date du levé en année décimale (son époque ; en ligne de commande --epoch 2024.5, ou epoch=2024.5 parmi les options d&apos;une ligne).</translation>
-    </message>
-    <message>
-        <source>{path:file}: point {good:n} has a coordinate or time that is not a usable number ({such} up to here); clean or export it again.</source>
-        <translation>{path} : le point {good} a une coordonnée ou un temps qui n&apos;est pas un nombre utilisable ({such} jusqu&apos;ici) ; nettoyez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: point {good:n} has a coordinate or time that is not a usable number ({such} up to here{hint}); clean or export it again.</source>
-        <translation>{path} : le point {good} a une coordonnée ou un temps qui n&apos;est pas un nombre utilisable ({such} jusqu&apos;ici{hint}) ; nettoyez-le ou exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>: as where feet are taken for metres, or metres for feet</source>
@@ -2541,14 +2269,6 @@
         <translation>{path} : un fichier de {size} octets est vide ; exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>{path:file}, row {number:n}: {len:n} columns where {len2:n} were named ({names:kept}); copy or export it again where it is cut short, or name the columns the file has.</source>
-        <translation>{path}, rangée {number} : nombre de colonnes {len}, alors que {len2} ont été nommées ({names}) ; copiez-le ou exportez-le de nouveau s&apos;il est tronqué, ou nommez les colonnes du fichier.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {row:n}: {len:n} columns where at least {width} are needed; copy or export the file again where it is cut short, or state its columns.</source>
-        <translation>{path}, rangée {row} : nombre de colonnes {len}, alors qu&apos;il en faut au moins {width} ; copiez ou exportez le fichier de nouveau s&apos;il est tronqué, ou indiquez ses colonnes.</translation>
-    </message>
-    <message>
         <source>{name}: {name2:kept} cannot be {value:kept}; choose {choices:codes}.</source>
         <translation>{name} : {name2} ne peut être {value} ; choisissez {choices}.</translation>
     </message>
@@ -2561,16 +2281,8 @@
         <translation>{path} : aucun champ ne contient un temps (champs : {none}) et les points ne peuvent être placés sur la trajectoire ; exportez avec le temps, ou nommez le champ.</translation>
     </message>
     <message>
-        <source>{path:file}: the points have no {missing:kept} (fields: {none:foreign}); export them with coordinates and time.</source>
-        <translation>{path} : les points n&apos;ont pas {missing} (champs : {none}) ; exportez-les avec les coordonnées et le temps.</translation>
-    </message>
-    <message>
         <source>{path:file}: the column names given ({none:foreign}) lack {missing:kept}; name every column of the file from the left.</source>
         <translation>{path} : aux noms de colonnes donnés ({none}) il manque {missing} ; nommez chaque colonne du fichier depuis la gauche.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the columns {none:foreign} lack {missing:list}; export these too, or state the columns.</source>
-        <translation>{path} : aux colonnes {none} il manque {missing} ; exportez-les aussi, ou indiquez les colonnes.</translation>
     </message>
     <message>
         <source>{n:n} such point</source>
@@ -2625,10 +2337,6 @@
         <translation>{path}, rangée {k} : {column} vaut {value} ; les rangées doivent être des nombres.</translation>
     </message>
     <message>
-        <source>{path:file}, row {k:n}: {column:kept} is {value:foreign}; times above it are as hh:mm:ss.</source>
-        <translation>{path}, rangée {k} : {column} vaut {value} ; les temps au-dessus sont en hh:mm:ss.</translation>
-    </message>
-    <message>
         <source>{file:file}, row {row:n}: {said}</source>
         <translation>{file}, rangée {row} : {said}</translation>
     </message>
@@ -2673,16 +2381,8 @@
         <translation>{path}, rangée {row} : un fichier PTS commence par son nombre de points, et ceci est {text} ; exportez-le de nouveau, ou donnez à un texte x, y, z l&apos;extension .txt.</translation>
     </message>
     <message>
-        <source>{path:file}, row {row:n}: PTS has decimal points, and blanks between its columns; this row has commas or semicolons: export it again.</source>
-        <translation>{path}, rangée {row} : un PTS a des points décimaux, et des blancs entre ses colonnes ; cette rangée a des virgules ou des points-virgules : exportez-le de nouveau.</translation>
-    </message>
-    <message>
         <source>{path:file}, row {row:n}: a new number of points stands here after {k:n} of the {count:n} points that row {head:n} promises; copy or export it again.</source>
         <translation>{path}, rangée {row} : un nouveau nombre de points se trouve ici après {k} des {count} points que la rangée {head} annonce ; copiez-le ou exportez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {row:n}: {columns:n} columns where {width:n} are needed; copy or export it again where it is cut short.</source>
-        <translation>{path}, rangée {row} : {columns} colonnes où il en faut {width} ; copiez-le ou exportez-le de nouveau s&apos;il est tronqué.</translation>
     </message>
 </context>
 <context>
@@ -2716,14 +2416,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Minutes on site (targets × lines beside each)</source>
         <translation>Minutes sur place (cibles x lignes à côté de chacune)</translation>
-    </message>
-    <message>
-        <source>{path:file}: only PNG and SVG pictures go into a report.</source>
-        <translation>{path} : seules des images PNG et SVG entrent dans un rapport.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this picture cannot be read ({strerror:foreign}).</source>
-        <translation>{path} : cette image ne peut être lue ({strerror}).</translation>
     </message>
     <message>
         <source>Lines, in this order</source>
@@ -2792,10 +2484,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>The report could not be set ({message:foreign}).</source>
         <translation>Le rapport n&apos;a pas pu être composé ({message}).</translation>
-    </message>
-    <message>
-        <source>{path:file}: this picture cannot be drawn ({message:foreign}); save it anew as PNG or SVG.</source>
-        <translation>{path} : cette image ne peut être dessinée ({message}) ; enregistrez-la de nouveau en PNG ou SVG.</translation>
     </message>
     <message>
         <source>Type I: is it still a board, near where it stands?</source>
@@ -2920,14 +2608,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 <context>
     <name>survey</name>
     <message>
-        <source>{word:foreign} is not a direction on a vessel; use {DIRECTIONS:kept}.</source>
-        <translation>{word} n&apos;est pas une direction sur un navire ; employez {DIRECTIONS}.</translation>
-    </message>
-    <message>
-        <source>The axes {axes:list} do not span space; give three different lines.</source>
-        <translation>Les axes {axes} n&apos;engendrent pas l&apos;espace ; donnez trois droites différentes.</translation>
-    </message>
-    <message>
         <source>X {x} and Y {y} lie on one line; give two different lines.</source>
         <translation>X {x} et Y {y} sont sur une même droite ; donnez deux droites différentes.</translation>
     </message>
@@ -2978,10 +2658,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{where:kept}: {error:foreign}; give a matrix of 3x3 or 4x4 numbers.</source>
         <translation>{where} : {error} ; donnez une matrice de 3x3 ou 4x4 nombres.</translation>
-    </message>
-    <message>
-        <source>{where:kept}: {size} numbers are no 3x3 or 4x4 matrix; give 9 or 16.</source>
-        <translation>{where} : {size} nombres ne font pas une matrice 3x3 ou 4x4 ; donnez-en 9 ou 16.</translation>
     </message>
     <message>
         <source>{where:kept}: the last row of a 4x4 matrix is 0 0 0 1; give rows, not columns.</source>
@@ -3044,10 +2720,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{short} : ce système de coordonnées n&apos;est pas lié à la Terre ; donnez le code EPSG de celui des points.</translation>
     </message>
     <message>
-        <source>{short:kept}: earth-centred coordinates have no heights to choose; leave the height out.</source>
-        <translation>{short} : des coordonnées géocentriques n&apos;ont pas de hauteurs à choisir ; n&apos;indiquez pas de hauteur.</translation>
-    </message>
-    <message>
         <source>The points name no coordinate system; give its EPSG code, EPSG:32619 for example.</source>
         <translation>Les points ne nomment pas de système de coordonnées ; donnez son code EPSG, EPSG:32619 par exemple.</translation>
     </message>
@@ -3084,18 +2756,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{told} : donnez le code d&apos;un système dont le référentiel est lié à {name} (epsg.org en donne la liste), ou indiquez un autre référentiel de la trajectoire, ou aucun si les deux sont dans un seul.</translation>
     </message>
     <message>
-        <source>, and what its heights are counted from apart from it</source>
-        <translation>, et d&apos;où comptent ses hauteurs, à part</translation>
-    </message>
-    <message>
-        <source>{grid:file}: there is no such geoid grid; check the path.</source>
-        <translation>{grid} : cette grille de géoïde n&apos;existe pas ; vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <source>{grid:file}: PROJ takes no commas or quotes in a path; rename the grid.</source>
-        <translation>{grid} : PROJ n&apos;accepte ni virgule ni guillemet dans un chemin ; renommez la grille.</translation>
-    </message>
-    <message>
         <source>{grid:file}: cannot be read as a geoid grid; give a .gtx or GeoTIFF grid of PROJ.</source>
         <translation>{grid} : illisible comme grille de géoïde ; donnez une grille .gtx ou GeoTIFF de PROJ.</translation>
     </message>
@@ -3118,10 +2778,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{path:file}: made by a newer version of the program; update it.</source>
         <translation>{path} : fait par une version plus récente du programme ; mettez celui-ci à jour.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the imported line is damaged ({error:foreign})</source>
-        <translation>{path} : la ligne importée est endommagée ({error})</translation>
     </message>
     <message>
         <source>{path:file}: the imported line is damaged ({error:foreign}); import the line again.</source>
@@ -3166,26 +2822,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{source:file}: from point {index:n} on the points have other attributes than before{what:foreign}; import these as lines of their own.</source>
         <translation>{source} : à partir du point {index}, les points ont d&apos;autres attributs qu&apos;avant{what} ; importez-les comme des lignes séparées.</translation>
-    </message>
-    <message>
-        <source>{source:file}: a line cannot have more than {MOST:n} points; split the file.</source>
-        <translation>{source} : une ligne ne peut avoir plus de {MOST} points ; divisez le fichier.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: this line was imported again since it was opened, by another window or command; open the project again to go on with it.</source>
-        <translation>{name} : cette ligne a été importée de nouveau depuis son ouverture, par une autre fenêtre ou commande ; rouvrez le projet pour continuer avec elle.</translation>
-    </message>
-    <message>
-        <source>{line:kept}: this line is being imported at the moment, by another window or command; wait until that has ended, then try again.</source>
-        <translation>{line} : cette ligne est en cours d&apos;import par une autre fenêtre ou commande ; attendez la fin, puis réessayez.</translation>
-    </message>
-    <message>
-        <source>{line:kept}: its import was interrupted; import it again, it goes on where it stood.</source>
-        <translation>{line} : son import a été interrompu ; importez-la de nouveau, il reprend où il en était.</translation>
-    </message>
-    <message>
-        <source>{line:kept}: this line is not imported yet; import it.</source>
-        <translation>{line} : cette ligne n&apos;est pas encore importée ; importez-la.</translation>
     </message>
     <message>
         <source>{folder:file}: this is the line {line:kept}, not {line2:kept}; import it.</source>
@@ -3543,10 +3179,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{len} plans trouvés</translation>
     </message>
     <message>
-        <source>The expected width and height must be lengths above zero.</source>
-        <translation>La largeur et la hauteur attendues doivent être des longueurs supérieures à zéro.</translation>
-    </message>
-    <message>
         <source>The expected inclination must be from 0 to 90 deg.</source>
         <translation>L&apos;inclinaison attendue doit être de 0 à 90°.</translation>
     </message>
@@ -3559,20 +3191,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Il n&apos;y a pas de ligne où chercher ceci : {word}.</translation>
     </message>
     <message>
-        <source>No line has a {word} at the seed ({nearest_line:kept}: {nearest_line2}) Set the seed on the target, or enlarge the radius.</source>
-        <translation>Aucune ligne n&apos;a de {word} au point initial ({nearest_line} : {nearest_line2}) Placez le point initial sur la cible, ou agrandissez le rayon.</translation>
-    </message>
-    <message>
         <source>Looked for the target in {name:kept}</source>
         <translation>Cible cherchée sur {name}</translation>
-    </message>
-    <message>
-        <source>The two points lie above each other; a section needs a direction.</source>
-        <translation>Les deux points sont l&apos;un au-dessus de l&apos;autre ; une coupe demande une direction.</translation>
-    </message>
-    <message>
-        <source>The plane finder cannot work with {name:kept} = {getattr:kept}.</source>
-        <translation>La recherche de plans ne peut se faire avec {name} = {getattr}.</translation>
     </message>
     <message>
         <source>at most {degrees:n} deg of tilt</source>
@@ -3587,20 +3207,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>point initial aléatoire {seed}</translation>
     </message>
     <message>
-        <source>A sphere cannot be sought with radii from {least} m to {most} m; give two lengths above zero, the smaller one first.</source>
-        <translation>Une sphère ne peut être cherchée avec des rayons de {least} m à {most} m ; donnez deux longueurs supérieures à zéro, la plus petite d&apos;abord.</translation>
-    </message>
-    <message>
         <source>The thinning distance must be a number of metres.</source>
         <translation>Le pas de sous-échantillonnage doit être un nombre de mètres.</translation>
     </message>
 </context>
 <context>
     <name>validation</name>
-    <message>
-        <source>The maximum distance must be positive, and it is {max_distance} m.</source>
-        <translation>La distance maximale doit être positive, et elle est de {max_distance} m.</translation>
-    </message>
     <message>
         <source>The reference cloud of a cloud-to-cloud distance holds no point.</source>
         <translation>Le nuage de référence d&apos;une distance de nuage à nuage ne contient aucun point.</translation>
@@ -3678,10 +3290,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Valeur qui doit être positive ({name}) : elle est de {value} m.</translation>
     </message>
     <message>
-        <source>There is no place to measure a distance at.</source>
-        <translation>Il n&apos;y a aucun endroit où mesurer une distance.</translation>
-    </message>
-    <message>
         <source>A plane with its confidence needs at least four points of each line.</source>
         <translation>Un plan avec son intervalle demande au moins quatre points de chaque ligne.</translation>
     </message>
@@ -3698,10 +3306,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{name} : il faut trois angles et leur covariance.</translation>
     </message>
     <message>
-        <source>{name:kept}: its covariance is not positive; a calibration without uncertainty cannot be compared.</source>
-        <translation>{name} : sa covariance n&apos;est pas positive ; un étalonnage sans incertitude ne peut être comparé.</translation>
-    </message>
-    <message>
         <source>Repeatability needs at least two calibrations of the same mounting.</source>
         <translation>La répétabilité demande au moins deux étalonnages du même montage.</translation>
     </message>
@@ -3712,14 +3316,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 </context>
 <context>
     <name>workflow</name>
-    <message>
-        <source>The reference sigma must be zero or more, and it is {sigma} m.</source>
-        <translation>L&apos;écart-type de la référence doit être positif ou nul, et il est de {sigma} m.</translation>
-    </message>
-    <message>
-        <source>The reach must be more than 0 and at most 10 m, and it is {reach:n} m.</source>
-        <translation>La portée doit être supérieure à 0 et de 10 m au plus, et elle est de {reach} m.</translation>
-    </message>
     <message>
         <source>Comparing {line:kept} with {name:kept}</source>
         <translation>Comparaison de {line} avec {name}</translation>
@@ -3753,10 +3349,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>placez son point initial sur</translation>
     </message>
     <message>
-        <source>{name:kept}: there is no target to adjust; pick planar targets first.</source>
-        <translation>{name} : il n&apos;y a pas de cible à compenser ; désignez d&apos;abord des cibles planes.</translation>
-    </message>
-    <message>
         <source>Selecting the points again, round {x} of {rounds}</source>
         <translation>Nouvelle sélection des points, tour {x} sur {rounds}</translation>
     </message>
@@ -3769,18 +3361,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{stem} : aucun de ses {in_gaps} points n&apos;est dans la trajectoire (de {known} à {known2} s) ; vérifiez la date et la base de temps, ou écartez la ligne.</translation>
     </message>
     <message>
-        <source>Campaigns on several machines need the package distributed: python -m pip install -e '.[cluster]' in the checkout, on this machine and on the workers.</source>
-        <translation>Les campagnes sur plusieurs machines demandent le paquet distributed : python -m pip install -e '.[cluster]' dans le dossier des sources, sur cette machine et sur les autres.</translation>
-    </message>
-    <message>
-        <source>{address:kept}: no scheduler answers there within {CONNECT:n} s; start one with `dask scheduler`, and mind the address it prints and the firewall.</source>
-        <translation>{address} : aucun ordonnanceur n&apos;y répond en {CONNECT} s ; démarrez-en un par `dask scheduler`, et faites attention à l&apos;adresse qu&apos;il affiche et au pare-feu.</translation>
-    </message>
-    <message>
-        <source>{address:kept}: the scheduler has no workers; start one on each machine with `dask worker {address2:kept} --nworkers auto --nthreads 1`.</source>
-        <translation>{address} : l&apos;ordonnanceur n&apos;a pas de travailleurs ; démarrez-en un sur chaque machine par `dask worker {address2} --nworkers auto --nthreads 1`.</translation>
-    </message>
-    <message>
         <source>The scheduler {address:kept}</source>
         <translation>L&apos;ordonnanceur {address}</translation>
     </message>
@@ -3789,16 +3369,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Le travailleur {worker}</translation>
     </message>
     <message>
-        <source>{address:kept}: all workers are gone; start them and the campaign again.</source>
-        <translation>{address} : tous les travailleurs sont partis ; démarrez-les et recommencez la campagne.</translation>
-    </message>
-    <message>
         <source>{address:kept}: the same {len:n} calculations lost their worker again and again; it has too little memory, or is stopped from outside.</source>
         <translation>{address} : les mêmes {len} calculs ont perdu leur travailleur encore et encore ; il a trop peu de mémoire, ou est arrêté de l&apos;extérieur.</translation>
-    </message>
-    <message>
-        <source>{address:kept}: the connection to the scheduler or its workers was lost; start the campaign again.</source>
-        <translation>{address} : la liaison avec l&apos;ordonnanceur ou ses travailleurs est perdue ; recommencez la campagne.</translation>
     </message>
     <message>
         <source>no LISPAC that answers ({found:foreign})</source>
@@ -3837,16 +3409,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Toutes les cibles font face au même côté, ce que la compensation refuse : ajoutez une cible d&apos;une autre inclinaison.</translation>
     </message>
     <message>
-        <source>{folder:file}: this folder cannot be made ({strerror:foreign}).</source>
-        <translation>{folder} : ce dossier ne peut être créé ({strerror}).</translation>
-    </message>
-    <message>
         <source>{name:kept} on {line:kept} would keep {len:n} points only; untick the sighting in the table instead.</source>
         <translation>{name} sur {line} ne garderait que {len} points ; décochez plutôt l&apos;observation dans le tableau.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: what would be left is no surface. {error}</source>
-        <translation>{name} : ce qui resterait n&apos;est pas une surface. {error}</translation>
     </message>
     <message>
         <source>{path:file}: a report is written as {REPORT_ENDINGS:kept}; end its name so.</source>
@@ -3877,20 +3441,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Cibles écrites</translation>
     </message>
     <message>
-        <source>{spheres:kept}: a sphere does not go into a plane file; leave it out.</source>
-        <translation>{spheres} : une sphère n&apos;entre pas dans un fichier de plan ; écartez-la.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: there is no planar target to export; pick one first.</source>
-        <translation>{name} : il n&apos;y a pas de cible plane à exporter ; désignez-en d&apos;abord une.</translation>
-    </message>
-    <message>
         <source>Plane files written</source>
         <translation>Fichiers de plan écrits</translation>
-    </message>
-    <message>
-        <source>{output:file}: this is the survey&apos;s own trajectory; choose another name.</source>
-        <translation>{output} : c&apos;est la trajectoire même du levé ; choisissez un autre nom.</translation>
     </message>
     <message>
         <source>latitude, longitude and height are as in {name:kept}: in the datum and at the epoch it was computed in, which the exported file does not name</source>
@@ -3899,10 +3451,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>coordinates at the epoch of the trajectory, not moved to another one</source>
         <translation>coordonnées à l&apos;époque de la trajectoire, non ramenées à une autre</translation>
-    </message>
-    <message>
-        <source>{name:kept}: there is no target to export; pick one first.</source>
-        <translation>{name} : il n&apos;y a pas de cible à exporter ; désignez-en d&apos;abord une.</translation>
     </message>
     <message>
         <source>Lines written</source>
@@ -3993,28 +3541,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{name} : il n&apos;y a pas de ligne nommée {name2}.</translation>
     </message>
     <message>
-        <source>{path:file}: there is no such line file, and {name:kept} has to be imported again: {without_remedy}; bring it back.</source>
-        <translation>{path} : ce fichier de ligne n&apos;existe pas, et {name} est à importer de nouveau : {without_remedy} ; remettez-le en place.</translation>
-    </message>
-    <message>
         <source>{name:kept}: {changed:list} changed since it was imported; import it again.</source>
         <translation>{name} : ceci a changé depuis l&apos;import : {changed} ; importez-la de nouveau.</translation>
     </message>
     <message>
         <source>{path:file}: the file of {name:kept} cannot be read ({error:foreign}), so nothing tells whether it is still what was imported; bring it back, or take it away.</source>
         <translation>{path} : le fichier de {name} ne peut être lu ({error}), rien ne dit donc s&apos;il est encore ce qui a été importé ; remettez-le en place, ou retirez-le.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: {path:file} has changed since it was imported; import it again.</source>
-        <translation>{name} : {path} a changé depuis l&apos;import ; importez-la de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the file went away while it was imported; bring it back and import it again.</source>
-        <translation>{path} : le fichier a disparu pendant l&apos;import ; remettez-le en place et importez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the file changed while it was imported; import it again when nothing writes to it.</source>
-        <translation>{path} : le fichier a changé pendant l&apos;import ; importez-le de nouveau quand rien n&apos;y écrit.</translation>
     </message>
     <message>
         <source>Add the survey&apos;s files: drop them here, or press Add files.</source>
@@ -4229,40 +3761,16 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{folder} : un autre programme a enregistré ce projet depuis son ouverture ; rien n'a été enregistré. Ouvrez-le de nouveau et refaites vos modifications, ou enregistrez-le dans un autre dossier.</translation>
     </message>
     <message>
-        <source>{path:file}: the project file cannot be read ({error:foreign}); check the disk and its permissions.</source>
-        <translation>{path} : le fichier du projet ne peut pas être lu ({error}) ; vérifiez le disque et les droits d'accès.</translation>
-    </message>
-    <message>
         <source>{address:kept}: not the address of a scheduler; it is written tls://HOST:PORT, for example tls://192.168.1.20:8786.</source>
         <translation>{address} : ce n'est pas l'adresse d'un ordonnanceur ; elle s'écrit tls://HÔTE:PORT, par exemple tls://192.168.1.20:8786.</translation>
-    </message>
-    <message>
-        <source>{url:kept}: TCP is neither encrypted nor authenticated, so others in the network could run programs on this computer and on the workers. Use TLS certificates and tls://, or accept the risk with --plain-tcp.</source>
-        <translation>{url} : TCP n'est ni chiffré ni authentifié ; d'autres personnes du réseau pourraient exécuter des programmes sur cet ordinateur et sur les machines de calcul. Utilisez des certificats TLS et tls://, ou acceptez le risque avec --plain-tcp.</translation>
-    </message>
-    <message>
-        <source>{url:kept}: TLS needs certificates; give them with --cluster-tls CA CERTIFICATE KEY, or in dask's configuration.</source>
-        <translation>{url} : TLS demande des certificats ; donnez-les avec --cluster-tls CA CERTIFICAT CLÉ, ou dans la configuration de dask.</translation>
     </message>
     <message>
         <source>{url:kept}: its TLS certificates cannot be used ({in_one_line:foreign}); check the files of the authority, the certificate and the key.</source>
         <translation>{url} : ses certificats TLS sont inutilisables ({in_one_line}) ; vérifiez les fichiers de l'autorité, du certificat et de la clé.</translation>
     </message>
     <message>
-        <source>The connection to {address:kept} is neither encrypted nor authenticated. Others in the network can run programs on this computer and on the workers. Use TLS certificates and tls://.</source>
-        <translation>La connexion à {address} n'est ni chiffrée ni authentifiée. D'autres personnes du réseau peuvent exécuter des programmes sur cet ordinateur et sur les machines de calcul. Utilisez des certificats TLS et tls://.</translation>
-    </message>
-    <message>
-        <source>{file:file}: {count:n} records ({share:n} %) have standard deviations over 10,000 m or 180 deg, as exporters write them where there is no solution. Points at these times have no weight in the adjustment. Export the file again, or check the solution at these times.</source>
-        <translation>{file} : {count} enregistrements ({share} %) ont des écarts-types de plus de 10 000 m ou 180 deg, comme les logiciels en écrivent là où il n'y a pas de solution. Les points de ces instants n'ont aucun poids dans la compensation. Exportez de nouveau le fichier, ou vérifiez la solution à ces instants.</translation>
-    </message>
-    <message>
         <source>{name:kept}: the imported line holds values that no import writes, so its files were changed since; import the line again.</source>
         <translation>{name} : la ligne importée contient des valeurs qu'aucune importation n'écrit ; ses fichiers ont été modifiés depuis. Importez de nouveau la ligne.</translation>
-    </message>
-    <message>
-        <source>{folder:file}: {target:kept} has points that {line:kept} does not have, so the project is damaged; restore its folder from a copy.</source>
-        <translation>{folder} : {target} a des points que {line} n'a pas, le projet est donc endommagé ; rétablissez son dossier à partir d'une copie.</translation>
     </message>
     <message>
         <source>the logo {name:kept} is not in the folder of the template; copy the picture there.</source>
@@ -4273,10 +3781,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : le logo {name} n'est pas dans le dossier du modèle ; copiez l'image dans ce dossier.</translation>
     </message>
     <message>
-        <source>{path:file}: this mesh file is damaged and cannot be read; export the mesh again.</source>
-        <translation>{path} : ce fichier de maillage est endommagé et illisible ; exportez de nouveau le maillage.</translation>
-    </message>
-    <message>
         <source>{path:file}: a triangle has a corner that is not in the file; export the mesh again.</source>
         <translation>{path} : un triangle a un sommet qui n'est pas dans le fichier ; exportez de nouveau le maillage.</translation>
     </message>
@@ -4285,20 +3789,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>ce n'est pas du texte UTF-8</translation>
     </message>
     <message>
-        <source>its lists or tables are nested too deeply</source>
-        <translation>ses listes ou tables sont imbriquées trop profondément</translation>
-    </message>
-    <message>
         <source>a number in it is too large</source>
         <translation>un nombre y est trop grand</translation>
-    </message>
-    <message>
-        <source>a text in it has a null character</source>
-        <translation>un texte y contient un caractère nul</translation>
-    </message>
-    <message>
-        <source>a text in it has a character that is cut in half</source>
-        <translation>un texte y contient un caractère incomplet</translation>
     </message>
     <message>
         <source>the number of points of a sighting is not one</source>
@@ -4309,16 +3801,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Valeur impossible ({name}) : {value} {unit}, alors que de {least} à {most} {unit2} sont possibles ; corrigez-la.</translation>
     </message>
     <message>
-        <source>{folder:file}: there is a project here already; choose another folder.</source>
-        <translation>{folder} : il y a déjà un projet ici ; choisissez un autre dossier.</translation>
-    </message>
-    <message>
         <source>A project needs at least one line; name its scan file.</source>
         <translation>Un projet demande au moins une ligne ; nommez son fichier de balayage.</translation>
-    </message>
-    <message>
-        <source>Two lines are named {name:kept}; give their files different names.</source>
-        <translation>Deux lignes sont nommées {name} ; donnez à leurs fichiers des noms différents.</translation>
     </message>
     <message>
         <source>{path:file}: this is the line {name:kept} already.</source>
@@ -4335,10 +3819,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>The lines show different parts of every target ({names:list}), and these are not flat enough to be one plane; seed surfaces that lines share.</source>
         <translation>Les lignes montrent différentes parties de chaque cible ({names}), qui ne sont pas assez planes pour former un seul plan ; placez des points initiaux sur des surfaces que les lignes ont en commun.</translation>
-    </message>
-    <message>
-        <source>{path:kept}: this is a link to another folder, where nothing is written or deleted. Put a folder in its place, or save the project elsewhere.</source>
-        <translation>{path} : ceci est un lien vers un autre dossier, où rien n&apos;est écrit ni supprimé. Mettez un dossier à sa place, ou enregistrez le projet ailleurs.</translation>
     </message>
     <message>
         <source>Choosing the targets</source>
@@ -4425,10 +3905,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Une surface semblable se trouve à {apart} m d&apos;elle, et la scène ne dit pas laquelle des deux la ligne montre ici : voyez dans la coupe si c&apos;est bien la bonne.</translation>
     </message>
     <message>
-        <source>{path:file}: no format knows this file; export it in one that the manual names, or say which it is.</source>
-        <translation>{path} : aucun format ne reconnaît ce fichier ; exportez-le dans un format que le manuel nomme, ou dites lequel c&apos;est.</translation>
-    </message>
-    <message>
         <source>{crs:kept} is stated for it, but its points are in the scanner frame, where no coordinate system is used: leave it out, or check the frame (frame=georeferenced).</source>
         <translation>{crs} est indiqué pour lui, mais ses points sont dans le repère du scanneur, où aucun système de coordonnées ne sert : ne l&apos;indiquez pas, ou vérifiez le repère (frame=georeferenced).</translation>
     </message>
@@ -4485,10 +3961,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>l&apos;écart-type de {row} est de {sigma} m, et un point levé a rarement plus de {LARGEST_SIGMA} m{others} ; les écarts-types du fichier sont lus en mètres, 3 mm font 0.003 : corrigez la liste s&apos;ils sont en millimètres</translation>
     </message>
     <message>
-        <source>{path:file}: the plane {name:kept} has {len:n} points and a plane needs three; survey another one, or leave the plane out to check the points alone.</source>
-        <translation>{path} : le plan {name} a {len} points et un plan en demande trois ; levez-en un autre, ou écartez le plan pour ne vérifier que les points.</translation>
-    </message>
-    <message>
         <source>{path:file}: the points of the plane {name:kept} lie on one straight line; survey one beside it.</source>
         <translation>{path} : les points du plan {name} sont alignés ; levez-en un à côté.</translation>
     </message>
@@ -4533,10 +4005,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{name} et {names} ont des modèles différents des erreurs du POS : leurs écarts-types ne sont pas de même nature.</translation>
     </message>
     <message>
-        <source>{name:kept} has no result yet; estimate the boresight first.</source>
-        <translation>{name} n&apos;a pas encore de résultat ; estimez d&apos;abord les angles de visée.</translation>
-    </message>
-    <message>
         <source>{name:kept} has no {what} of this plan; targets go by their names ({targets:kept}), lines by their headings.</source>
         <translation>{name} n&apos;a pas ceci de ce plan : {what} ; les cibles se retrouvent par leur nom ({targets}), les lignes par leur cap.</translation>
     </message>
@@ -4569,36 +4037,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : un modèle de rapport n&apos;a pas de {key} ; il peut avoir {KEYS}.</translation>
     </message>
     <message>
-        <source>{path:file}: {key:kept} must be a text in quotation marks.</source>
-        <translation>{path} : {key} doit être un texte entre guillemets.</translation>
-    </message>
-    <message>
         <source>There is no page {text:kept}; choose one of {PAGES:kept}.</source>
         <translation>Il n&apos;y a pas de page {text} ; choisissez parmi : {PAGES}.</translation>
     </message>
     <message>
-        <source>{path:file}: a logo is a PNG or SVG picture; this file is neither.</source>
-        <translation>{path} : un logo est une image PNG ou SVG ; ce fichier n&apos;est ni l&apos;un ni l&apos;autre.</translation>
-    </message>
-    <message>
-        <source>{key} is longer than {LONGEST:n} letters or holds one that cannot be printed; change it.</source>
-        <translation>{key} : plus de {LONGEST} caractères, ou un caractère qui ne peut être imprimé ; changez-le.</translation>
-    </message>
-    <message>
         <source>Selecting the points of {name:kept} again</source>
         <translation>Nouvelle sélection des points de {name}</translation>
-    </message>
-    <message>
-        <source>{folder:file}: the project cannot be written here ({error:foreign}); choose another folder.</source>
-        <translation>{folder} : le projet ne peut être écrit ici ({error}) ; choisissez un autre dossier.</translation>
-    </message>
-    <message>
-        <source>{folder:file}: another window or command is saving a project here; wait for it or choose another folder.</source>
-        <translation>{folder} : une autre fenêtre ou commande enregistre un projet ici ; attendez-la ou choisissez un autre dossier.</translation>
-    </message>
-    <message>
-        <source>{there:file}: there are files here already that no unfinished save has left; choose another folder, or take them away.</source>
-        <translation>{there} : il y a déjà ici des fichiers qu&apos;aucun enregistrement inachevé n&apos;a laissés ; choisissez un autre dossier, ou retirez-les.</translation>
     </message>
     <message>
         <source>{path:file}: this part of the imported line {name:kept} is missing</source>
@@ -4619,10 +4063,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{name:kept} has no points on any line; there is nothing to cut through.</source>
         <translation>{name} n&apos;a de points sur aucune ligne ; il n&apos;y a rien à couper.</translation>
-    </message>
-    <message>
-        <source>{path:file}, row {row}: the project has a {name:kept} already; give it another name in the list, or say that it is to be replaced.</source>
-        <translation>{path}, rangée {row} : le projet a déjà {name} ; donnez-lui un autre nom dans la liste, ou dites qu&apos;il est à remplacer.</translation>
     </message>
     <message>
         <source>Searching for {name:kept} ({x} of {len:n})</source>
@@ -4665,20 +4105,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{folder} : c&apos;est un fichier ; choisissez un dossier pour le levé ({marker}).</translation>
     </message>
     <message>
-        <source>{folder:file}: this folder holds other files; choose a new one.</source>
-        <translation>{folder} : ce dossier contient d&apos;autres fichiers ; choisissez-en un nouveau.</translation>
-    </message>
-    <message>
         <source>There is no {kind} named {word:kept}: give one of {known:kept}, or a file that ends in .toml.</source>
         <translation>Il n&apos;y a pas ceci : {kind} nommé {word} ; donnez l&apos;un de {known}, ou un fichier qui se termine par .toml.</translation>
-    </message>
-    <message>
-        <source>{file:file}: its lines have start_s, so a recorded trajectory is needed; give --trajectory, or trajectory in the scene.</source>
-        <translation>{file} : ses lignes ont start_s, il faut donc une trajectoire enregistrée ; donnez --trajectory, ou trajectory dans la scène.</translation>
-    </message>
-    <message>
-        <source>{file:file}: [origin] is missing; say where the scene lies.</source>
-        <translation>{file} : [origin] manque ; dites où se trouve la scène.</translation>
     </message>
     <message>
         <source>{file:file}: its lines are headings to be sailed, so {recorded:kept} cannot be replayed; give each of its [[lines]] start_s, stop_s and side instead, in the trajectory&apos;s time.</source>
@@ -4755,18 +4183,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>Comparing the lines on {name:kept}</source>
         <translation>Comparaison des lignes sur {name}</translation>
-    </message>
-    <message>
-        <source>{name:kept}: only a simulated survey that has been validated can be compared with its truth.</source>
-        <translation>{name} : seul un levé simulé qui a été validé peut être comparé à sa vérité.</translation>
-    </message>
-    <message>
-        <source>There is no calibration with an answer and a date in these folders.</source>
-        <translation>Il n&apos;y a pas d&apos;étalonnage avec réponse et date dans ces dossiers.</translation>
-    </message>
-    <message>
-        <source>There is no calibration{of} with an answer and a date in these folders.</source>
-        <translation>Il n&apos;y a pas d&apos;étalonnage{of} avec réponse et date dans ces dossiers.</translation>
     </message>
     <message>
         <source>About {n:n} % of the points</source>
@@ -4919,10 +4335,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>{path:file}: its points have no times, so it is no line: export it with the time of each point. As it is it serves as a reference that the lines are checked against (Validate &gt; Check against a reference…, lispac check).</source>
         <translation>{path} : ses points n&apos;ont pas de temps, ce n&apos;est donc pas une ligne : exportez-le avec le temps de chaque point. Tel quel, il sert de référence pour contrôler les lignes (Validation &gt; Contrôler par une référence…, lispac check).</translation>
-    </message>
-    <message>
-        <source>{path:file}: this is a file; give the project&apos;s folder another name.</source>
-        <translation>{path} : c&apos;est un fichier ; donnez un autre nom au dossier du projet.</translation>
     </message>
     <message>
         <source>{said}; {first} comes first, then {second}: exchange the two</source>
@@ -5268,14 +4680,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Aucun capteur {kind} de la bibliothèque ne s&apos;appelle {name} ; donnez l&apos;un de {known}.</translation>
     </message>
     <message>
-        <source>No sigmas are stated; state them for one GNSS solution at least.</source>
-        <translation>Aucun sigma n&apos;est indiqué ; indiquez-les pour une solution GNSS au moins.</translation>
-    </message>
-    <message>
-        <source>A sensor needs a title: maker and model.</source>
-        <translation>Un capteur a besoin d&apos;un titre : fabricant et modèle.</translation>
-    </message>
-    <message>
         <source>State where the figures come from: a data sheet with its date, say.</source>
         <translation>Indiquez d&apos;où viennent les valeurs : une fiche technique avec sa date, par exemple.</translation>
     </message>
@@ -5288,18 +4692,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Il y a déjà un capteur {title} ; donnez un autre titre.</translation>
     </message>
     <message>
-        <source>{title:kept} comes with the program; it cannot be removed.</source>
-        <translation>{title} est fourni avec le programme ; il ne peut pas être retiré.</translation>
-    </message>
-    <message>
-        <source>{path:file}: this file cannot be removed: {error:foreign}.</source>
-        <translation>{path} : ce fichier ne peut pas être retiré : {error}.</translation>
-    </message>
-    <message>
-        <source>{path:file}: no sigmas are stated; write [rtk], [ppk] or [degraded] above them.</source>
-        <translation>{path} : aucun sigma n&apos;est indiqué ; écrivez [rtk], [ppk] ou [degraded] au-dessus.</translation>
-    </message>
-    <message>
         <source>{path:file}: {key:kept} holds zero; nothing is known exactly, give more than 0.</source>
         <translation>{path} : {key} contient zéro ; rien n&apos;est connu exactement, donnez plus que 0.</translation>
     </message>
@@ -5310,14 +4702,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 </context>
 <context>
     <name>caches</name>
-    <message>
-        <source>{folder:file}: the cache cannot be written there ({error:foreign}); choose another folder.</source>
-        <translation>{folder} : le cache ne peut pas y être écrit ({error}) ; choisissez un autre dossier.</translation>
-    </message>
-    <message>
-        <source>{part:file}: cannot be removed ({error:foreign}); close other programs that may use it and try again.</source>
-        <translation>{part} : suppression impossible ({error}) ; fermez les programmes qui peuvent l&apos;utiliser et recommencez.</translation>
-    </message>
 </context>
 <context>
     <name>manual</name>
@@ -5326,24 +4710,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Le manuel ne peut pas être produit ici : {missing} n&apos;est pas installé ; démarrez le programme par installer/bootstrap.py run, ou lisez les textes dans {folder}.</translation>
     </message>
     <message>
-        <source>The manual could not be built ({error:foreign}); read its texts in the folder resources/manual, and report this.</source>
-        <translation>Le manuel n&apos;a pas pu être produit ({error}) ; lisez ses textes dans le dossier resources/manual, et signalez-le.</translation>
-    </message>
-    <message>
-        <source>{place:file}: the manual cannot be written there ({error:foreign}); make room, or choose another cache folder in the settings.</source>
-        <translation>{place} : le manuel ne peut pas y être écrit ({error}) ; faites de la place, ou choisissez un autre dossier de cache dans les préférences.</translation>
-    </message>
-    <message>
         <source>building the pages in {language:kept}</source>
         <translation>production des pages en {language}</translation>
     </message>
 </context>
 <context>
     <name>project_file</name>
-    <message>
-        <source>{path:file}: the project file is damaged ({plainly}); restore it from a copy.</source>
-        <translation>{path} : le fichier du projet est endommagé ({plainly}) ; restaurez-le depuis une copie.</translation>
-    </message>
     <message>
         <source>it cannot be read from line {lineno:n} on</source>
         <translation>illisible à partir de la ligne {lineno}</translation>
@@ -5506,10 +4878,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Aucune paire des lignes choisies ne se recoupe à l&apos;un des objets ; cochez des objets que voient les deux lignes d&apos;une paire.</translation>
     </message>
     <message>
-        <source>The ticked objects and pairs leave the {angle} open; add objects that face other ways, or lines in other directions.</source>
-        <translation>Les objets et les paires cochés laissent le {angle} indéterminé ; ajoutez des objets orientés autrement, ou des lignes d&apos;autres directions.</translation>
-    </message>
-    <message>
         <source>same direction</source>
         <translation>même sens</translation>
     </message>
@@ -5545,16 +4913,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
 <context>
     <name>line differences</name>
     <message>
-        <source>{a:name} and {b:name} have no place in common within {n:n} m.</source>
-        <translation>{a} et {b} n’ont aucun endroit commun à moins de {n} m.</translation>
-    </message>
-    <message>
         <source>{a:name} and {b:name} share no flat place.</source>
         <translation>{a} et {b} n’ont en commun aucun endroit plan.</translation>
-    </message>
-    <message>
-        <source>The reach must be more than 0 and at most 10 m, and it is {n:n} m.</source>
-        <translation>La portée doit être supérieure à 0 et d’au plus 10 m ; elle est de {n} m.</translation>
     </message>
     <message>
         <source>{project:name}: no two lines share a flat place within {n:n} m of each other; widen the reach, or add lines over the same scene.</source>
@@ -5580,28 +4940,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{line} : les temps des points progressent par pas de {step} ms, avec {points} points par pas. Les points sont décalés de {shift} mm au plus et l&apos;attitude de {turn} deg au plus, ce que la moyenne ne compense pas. Exportez la ligne avec des temps exacts (64 bits).</translation>
     </message>
     <message>
-        <source>{line:kept}: {count:n} points ({share:n} %) have values that are not numbers. They are excluded.</source>
-        <translation>{line} : {count} points ({share} %) ont des valeurs qui ne sont pas des nombres. Ils sont exclus.</translation>
-    </message>
-    <message>
-        <source>{line:kept}: {count:n} points ({share:n} %) have no range or one value for x, y and z: shots without an echo. They are excluded.</source>
-        <translation>{line} : {count} points ({share} %) n&apos;ont pas de distance ou une même valeur en x, y et z : des tirs sans écho. Ils sont exclus.</translation>
-    </message>
-    <message>
         <source>{line:kept}: {count:n} points ({share:n} %) lie beyond the largest range of the scanner. They are excluded.</source>
         <translation>{line} : {count} points ({share} %) se trouvent au-delà de la portée maximale du scanneur. Ils sont exclus.</translation>
     </message>
     <message>
         <source>{line:kept}: {count:n} points ({share:n} %) are exact copies of other points. They are excluded.</source>
         <translation>{line} : {count} points ({share} %) sont des copies exactes d&apos;autres points. Ils sont exclus.</translation>
-    </message>
-    <message>
-        <source>{line:kept}: {count:n} points ({share:n} %) have the withheld flag. They are excluded.</source>
-        <translation>{line} : {count} points ({share} %) portent l&apos;indicateur « withheld ». Ils sont exclus.</translation>
-    </message>
-    <message>
-        <source>{line:kept}: {count:n} points ({share:n} %) are excluded by their class.</source>
-        <translation>{line} : {count} points ({share} %) sont exclus d&apos;après leur classe.</translation>
     </message>
     <message>
         <source>{line:kept}: {count:n} points ({share:n} %) do not meet the conditions given for the line. They are excluded.</source>
@@ -5644,24 +4988,8 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>Diviser {line} en lignes selon {by}</translation>
     </message>
     <message>
-        <source>{part:kept}: not a condition for points; give ATTRIBUTE=VALUE or ATTRIBUTE=LOW:HIGH, scanner_channel=0 or time=1200:1260 for example.</source>
-        <translation>{part} : ce n&apos;est pas une condition pour des points ; donnez ATTRIBUT=VALEUR ou ATTRIBUT=MIN:MAX, par exemple scanner_channel=0 ou time=1200:1260.</translation>
-    </message>
-    <message>
         <source>{text:kept}: not a list of classes; give numbers, 7 18 for example.</source>
         <translation>{text} : ce n&apos;est pas une liste de classes ; donnez des nombres, 7 18 par exemple.</translation>
-    </message>
-    <message>
-        <source>{text:kept}: not a largest range; give metres, 250 for example.</source>
-        <translation>{text} : ce n&apos;est pas une portée maximale ; donnez des mètres, 250 par exemple.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: the points have no such attribute to select by; they have {names:kept}.</source>
-        <translation>{name} : les points n&apos;ont pas un tel attribut de sélection ; ils ont {names}.</translation>
-    </message>
-    <message>
-        <source>{name:kept}: has several values a point and cannot be selected by.</source>
-        <translation>{name} : cet attribut a plusieurs valeurs par point et ne permet pas de sélection.</translation>
     </message>
     <message>
         <source>{path:file}: none of its {read:n} points can be used: {nan:n} are not numbers, {none:n} have no range, {far:n} are too far, {withheld:n} are withheld, {others:n} are not selected; check the options of the line or export it again.</source>
@@ -5826,14 +5154,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{path} : les lignes ont {n} colonnes, mais l&apos;en-tête en nomme {names} ; degrés, minutes et secondes séparés par des blancs comptent pour trois colonnes. Exportez des degrés décimaux ou indiquez les colonnes.</translation>
     </message>
     <message>
-        <source>{path:file}: column {name:kept} counts to the {way:kept} by its title, but its values are negative; correct the title or the signs.</source>
-        <translation>{path} : la colonne {name} compte vers ({way}) d&apos;après son titre, mais ses valeurs sont négatives ; corrigez le titre ou les signes.</translation>
-    </message>
-    <message>
-        <source>{path:file}: column {n:n} holds hemispheres ({letters:kept}), which are not read there; write them beside the values (48.5N), or give signs.</source>
-        <translation>{path} : la colonne {n} contient des hémisphères ({letters}), qui n&apos;y sont pas lus ; écrivez-les à côté des valeurs (48.5N) ou donnez des signes.</translation>
-    </message>
-    <message>
         <source>{path:file}: column {name:kept} is not in degrees that count to the east or north; export it so.</source>
         <translation>{path} : la colonne {name} n&apos;est pas en degrés comptés vers l&apos;est ou le nord ; exportez-la ainsi.</translation>
     </message>
@@ -5842,32 +5162,12 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
         <translation>{count} états de la trajectoire n&apos;ont pas de position (latitude et longitude nulles, comme avant le premier point GNSS). Ils sont exclus. Faites commencer l&apos;export au premier point.</translation>
     </message>
     <message>
-        <source>{file:kept}: the columns {stated:list} state a unit, but {option:kept} is set to {given:kept}. The values are read in the unit that is set, and all results depend on it. Check the option.</source>
-        <translation>{file} : les colonnes {stated} indiquent une unité, mais {option} vaut {given}. Les valeurs sont lues dans l&apos;unité choisie, dont dépendent tous les résultats. Vérifiez l&apos;option.</translation>
-    </message>
-    <message>
         <source>{file:kept}: the columns {columns:list} have the same meaning. {used:kept} is used. State the columns if that is the wrong one.</source>
         <translation>{file} : les colonnes {columns} ont le même sens. {used} est utilisée. Indiquez les colonnes si ce n&apos;est pas la bonne.</translation>
     </message>
     <message>
         <source>{file:kept}: the unit in the title of column {column:kept} is not known. {used} are taken. Check it.</source>
         <translation>{file} : l&apos;unité dans le titre de la colonne {column} est inconnue. Unité retenue : {used}. Vérifiez-la.</translation>
-    </message>
-    <message>
-        <source>{file:kept}: heading and course differ by {difference:n} deg, but agree if the angles are radians. The angles are read as degrees, so all results will be wrong. Set radians.</source>
-        <translation>{file} : le cap et la route diffèrent de {difference}°, mais concordent si les angles sont en radians. Les angles sont lus en degrés, donc tous les résultats seront faux. Choisissez les radians.</translation>
-    </message>
-    <message>
-        <source>{file:kept}: heading and course differ by {difference:n} deg, but agree if the angles are degrees. The angles are read as radians, so all results will be wrong. Set degrees.</source>
-        <translation>{file} : le cap et la route diffèrent de {difference}°, mais concordent si les angles sont en degrés. Les angles sont lus en radians, donc tous les résultats seront faux. Choisissez les degrés.</translation>
-    </message>
-    <message>
-        <source>{path:file}: column {n:n} holds the letter O, which is west in French (ouest) and east in German (Ost); name it eo (O is west) or ow (O is east) in the option columns.</source>
-        <translation>{path} : la colonne {n} contient la lettre O, qui signifie ouest en français et est (Ost) en allemand ; nommez-la eo (O est l&apos;ouest) ou ow (O est l&apos;est) dans l&apos;option columns.</translation>
-    </message>
-    <message>
-        <source>{path:file}: the {role} is in {n:n} columns ({names:list}); export it in one, as decimal degrees.</source>
-        <translation>{path} : la {role} occupe {n} colonnes ({names}) ; exportez-la en une seule, en degrés décimaux.</translation>
     </message>
     <message>
         <source>{path:file}: the header states {stated:kept} for column {name:kept}, which is not a known unit or has two meanings; set the unit, or mend the header.</source>
@@ -5884,10 +5184,6 @@ moyenne des précédents et trois écarts-types de la différence.</translation>
     <message>
         <source>a unit that is not known</source>
         <translation>une unité inconnue</translation>
-    </message>
-    <message>
-        <source>{path:file}: the points are in polar coordinates ({names:list}); export x, y and z in the scanner frame.</source>
-        <translation>{path} : les points sont en coordonnées polaires ({names}) ; exportez x, y et z dans le repère du scanner.</translation>
     </message>
     <message>
         <source>{path:file}: column {title:kept} should be {wanted}, in a unit that is known; correct its title or its values.</source>

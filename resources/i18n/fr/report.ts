@@ -1207,10 +1207,6 @@ vert. (°)</translation>
         <source>The adjustment did not settle in {n:n} iterations (last change {turn:n} deg of the angles, {move:n} m of the rest); check that each target is the same surface on every line, and the prior boresight.</source>
         <translation>La compensation ne s&apos;est pas stabilisée en {n} itérations (dernière variation : {turn}° pour les angles, {move} m pour le reste) ; vérifiez que chaque cible est la même surface sur toutes les lignes, ainsi que les angles de visée a priori.</translation>
     </message>
-    <message>
-        <source>The data contradict the stated {parameter}: they want it {change}, and with the stated one they do not determine the boresight. Measure it again, or have it estimated.</source>
-        <translation>Les données contredisent la valeur déclarée (« {parameter} ») : elles la veulent {change}, et avec la valeur déclarée elles ne déterminent pas les angles de visée. Mesurez-la de nouveau ou faites-la estimer.</translation>
-    </message>
 </context>
 <context>
     <name>checks</name>
@@ -1958,16 +1954,8 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
 <context>
     <name>cautions</name>
     <message>
-        <source>See the section on cross-checks.</source>
-        <translation>Voir la section sur les vérifications croisées.</translation>
-    </message>
-    <message>
         <source>Not calibrated: no boresight has been estimated. The angles in this report are the prior ones, with nothing known about their uncertainty.</source>
         <translation>Non étalonné : les angles de visée n&apos;ont pas été estimés. Ceux de ce rapport sont les angles a priori, dont l&apos;incertitude est inconnue.</translation>
-    </message>
-    <message>
-        <source>The survey is simulated: its boresight was put in by the program and says nothing about a real system.</source>
-        <translation>Le levé est simulé : ses angles de visée y ont été mis par le programme et ne disent rien d&apos;un système réel.</translation>
     </message>
     <message>
         <source>The true value lies outside the 95 % interval of {angles:list}.</source>
@@ -1982,16 +1970,8 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>{parameter} : son estimation n&apos;est pas justifiée, car sa variation de {change} reste dans ce que le hasard explique. Gardez la valeur déclarée.</translation>
     </message>
     <message>
-        <source>There are no more points than unknowns: nothing checks the answer.</source>
-        <translation>Il n&apos;y a pas plus de points que d&apos;inconnues : rien ne contrôle la réponse.</translation>
-    </message>
-    <message>
         <source>The chi-square test failed: the residuals are larger than the stated sigmas allow, and the sigmas of the angles are too small.</source>
         <translation>Le test du khi-deux a échoué : les résidus sont plus grands que ne l&apos;admettent les écarts-types déclarés, et les écarts-types des angles sont trop petits.</translation>
-    </message>
-    <message>
-        <source>The chi-square test failed: the residuals are larger than the stated sigmas allow.</source>
-        <translation>Le test du khi-deux a échoué : les résidus sont plus grands que ne l&apos;admettent les écarts-types déclarés.</translation>
     </message>
     <message>
         <source>The sigmas of the angles are computed with the noise found.</source>
@@ -2050,10 +2030,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>La cible {name} n&apos;a pas été trouvée sur {lines} ; les raisons sont dans la section sur les cibles.</translation>
     </message>
     <message>
-        <source>Targets {names:list} were not found on {lines:list}; the reasons stand in the section on targets.</source>
-        <translation>Les cibles {names} n&apos;ont pas été trouvées sur {lines} ; les raisons sont dans la section sur les cibles.</translation>
-    </message>
-    <message>
         <source>Validation plane {name} was not found on {lines:list}; the reasons stand in the section on targets.</source>
         <translation>Le plan de validation {name} n&apos;a pas été trouvé sur {lines} ; les raisons sont dans la section sur les cibles.</translation>
     </message>
@@ -2073,24 +2049,12 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <source>On validation plane {plane} the lines lie farther apart after the calibration (RMS {after:n} mm) than before ({before:n} mm).</source>
         <translation>Sur le plan de validation {plane}, les lignes sont plus éloignées après l&apos;étalonnage (RMS {after} mm) qu&apos;avant ({before} mm).</translation>
     </message>
-    <message>
-        <source>The input {names:list} could not be read for its size and digest.</source>
-        <translation>Fichier d&apos;entrée illisible, sans taille ni empreinte : {names}.</translation>
-    </message>
 </context>
 <context>
     <name>doubts</name>
     <message>
         <source>Thesis mode: every point is taken to have a POS error of its own, while in truth neighbouring points share theirs. The sigmas of the angles are several times too small; choose the correlated model for sigmas to rely on.</source>
         <translation>Mode de la thèse : chaque point est censé avoir sa propre erreur du POS, alors qu&apos;en vérité les points voisins partagent la leur. Les écarts-types des angles sont plusieurs fois trop petits ; choisissez le modèle corrélé pour des écarts-types fiables.</translation>
-    </message>
-    <message>
-        <source>The data contradict the stated {parameter}: they want it {change} (± {sigma}, w {w:n}). Measure it again, or have it estimated.</source>
-        <translation>Les données contredisent la valeur déclarée (« {parameter} ») : elles la veulent {change} (± {sigma}, w {w}). Mesurez-la de nouveau ou faites-la estimer.</translation>
-    </message>
-    <message>
-        <source>The data contradict the stated {parameter}: they want it {change} (± {sigma}, w {w:n}), which would move {moves:list}. Measure it again, or have it estimated.</source>
-        <translation>Les données contredisent la valeur déclarée (« {parameter} ») : elles la veulent {change} (± {sigma}, w {w}), ce qui changerait {moves}. Mesurez-la de nouveau ou faites-la estimer.</translation>
     </message>
     <message>
         <source>{n:n} m larger</source>
@@ -2129,18 +2093,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>D&apos;une ligne à l&apos;autre, les cibles semblent s&apos;écarter de {off} mm (1 sigma) de leur forme commune, déplacées plutôt que déformées ou tournées ({sigmas}), plus que ne l&apos;expliquent les écarts-types déclarés ; le test du khi-deux en tient compte.</translation>
     </message>
     <message>
-        <source>Rough or bent targets do that, and so does an error the model lacks; flat boards do not.</source>
-        <translation>Des cibles rugueuses ou déformées peuvent en être la cause, de même qu&apos;une erreur absente du modèle ; des panneaux plans, non.</translation>
-    </message>
-    <message>
-        <source>Targets that moved do that, and so does an error the model lacks.</source>
-        <translation>Des cibles qui ont bougé peuvent en être la cause, de même qu&apos;une erreur absente du modèle.</translation>
-    </message>
-    <message>
-        <source>Known only with a large sigma: {angles:list} (1 sigma).</source>
-        <translation>Connus seulement avec un grand écart-type : {angles} (1 sigma).</translation>
-    </message>
-    <message>
         <source>{angle} to {n:n} deg</source>
         <translation>{angle} à {n}°</translation>
     </message>
@@ -2163,10 +2115,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <message>
         <source>All targets face the same way: the headings of the lines alone tell the angles apart.</source>
         <translation>Toutes les cibles font face au même côté : seuls les caps des lignes permettent de distinguer les angles.</translation>
-    </message>
-    <message>
-        <source>{first} and {second} are hardly told apart (correlation {r:n}): {advice}.</source>
-        <translation>{first} et {second} se distinguent à peine (corrélation {r}) : {advice}.</translation>
     </message>
     <message>
         <source>a target of another inclination or lines in other directions would help</source>
@@ -2309,14 +2257,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>un signe d&apos;attitude faux</translation>
     </message>
     <message>
-        <source>points that do not lie where the scanner measures</source>
-        <translation>des points situés là où le scanner ne mesure pas</translation>
-    </message>
-    <message>
-        <source>a trajectory with too few states</source>
-        <translation>une trajectoire trop peu dense</translation>
-    </message>
-    <message>
         <source>Every target is off on line {line}: the position may have jumped there, targets are mixed up, or a stated value of the mounting is wrong.</source>
         <translation>Toutes les cibles sont décalées sur la ligne {line} : la position peut y avoir sauté, des cibles peuvent être confondues, ou une valeur déclarée du montage est fausse.</translation>
     </message>
@@ -2325,32 +2265,12 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>Toutes les cibles sont décalées sur les lignes {lines} : la position peut y avoir sauté, des cibles peuvent être confondues, ou une valeur déclarée du montage est fausse.</translation>
     </message>
     <message>
-        <source>Takes part though the other sightings contradict it: {sightings:list}.</source>
-        <translation>Prend part au calcul bien que les autres observations la contredisent : {sightings}.</translation>
-    </message>
-    <message>
-        <source>Take part though the other sightings contradict them: {sightings:list}.</source>
-        <translation>Prennent part au calcul bien que les autres observations les contredisent : {sightings}.</translation>
-    </message>
-    <message>
         <source>{target:name} on line {line:name} (off by {off:n} mm, w {w:n})</source>
         <translation>{target} sur la ligne {line} (écart de {off} mm, w {w})</translation>
     </message>
     <message>
         <source>{strays} of {points:n}, where chance explains about {chance:n}; most on {target:name} on line {line:name} ({here:n} of {of:n}).</source>
         <translation>{strays} sur {points}, alors que le hasard en explique environ {chance} ; surtout sur {target}, ligne {line} ({here} sur {of}).</translation>
-    </message>
-    <message>
-        <source>They have full say: choose a loss.</source>
-        <translation>Ils ont tout leur poids : choisissez une fonction de perte.</translation>
-    </message>
-    <message>
-        <source>They have less say than the others.</source>
-        <translation>Ils ont moins de poids que les autres.</translation>
-    </message>
-    <message>
-        <source>They have little or no say in the answer.</source>
-        <translation>Ils ont peu ou pas de poids dans la réponse.</translation>
     </message>
     <message>
         <source>The points of {target} are {times:n} times the LiDAR noise off their surface and count for little: is it the same surface on every line?</source>
@@ -2367,10 +2287,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <message>
         <source>Residuals larger than the LiDAR noise, or correlated over the surface, on {targets:list}: in effect up to {times:n} times the given noise.</source>
         <translation>Résidus plus grands que le bruit du LiDAR, ou corrélés sur la surface, pour {targets} : soit jusqu&apos;à {times} fois le bruit donné.</translation>
-    </message>
-    <message>
-        <source>The surface is rough or curved, or the given LiDAR sigma is too small.</source>
-        <translation>La surface est rugueuse ou courbe, ou l&apos;écart-type donné du LiDAR est trop petit.</translation>
     </message>
     <message>
         <source>The targets are probably not flat, and these lines are too few to detect what that does to the angles: they may be off by more than their sigmas.</source>
@@ -2563,10 +2479,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>La ligne n&apos;a aucun point à moins de {reach} m du point initial.</translation>
     </message>
     <message>
-        <source>Nothing in this line resembles the target and its surroundings.</source>
-        <translation>Rien dans cette ligne ne ressemble à la cible et à ses alentours.</translation>
-    </message>
-    <message>
         <source>The points found are part of a surface that crosses the target.</source>
         <translation>Les points trouvés font partie d’une surface qui coupe la cible.</translation>
     </message>
@@ -2585,10 +2497,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <message>
         <source>Only {overlap:n} % of the plane found lies where the other lines show the target: it is another surface.</source>
         <translation>Seuls {overlap} % du plan trouvé se trouvent là où les autres lignes montrent la cible : c’est une autre surface.</translation>
-    </message>
-    <message>
-        <source>The line has too few points where the target should be.</source>
-        <translation>La ligne a trop peu de points là où la cible devrait être.</translation>
     </message>
     <message>
         <source>The plane found covers only {share:n} % of the target&apos;s outline.</source>
@@ -2631,24 +2539,8 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>La surface plane autour de {place} n&apos;a que {points} points, moins de {least} ; un seuil plus large que {threshold} m peut aider.</translation>
     </message>
     <message>
-        <source>The plane around {place} is inclined otherwise than expected.</source>
-        <translation>Le plan autour de {place} n&apos;a pas l&apos;inclinaison attendue.</translation>
-    </message>
-    <message>
-        <source>the place where the target should be</source>
-        <translation>l&apos;endroit où la cible devrait être</translation>
-    </message>
-    <message>
         <source>A plane needs at least three points, here there are {points:n}.</source>
         <translation>Un plan demande au moins trois points ; ici, il y en a {points}.</translation>
-    </message>
-    <message>
-        <source>A plane cannot be fitted to points with missing coordinates.</source>
-        <translation>Un plan ne peut être ajusté à des points dont il manque des coordonnées.</translation>
-    </message>
-    <message>
-        <source>The points lie on one straight line and do not determine a plane.</source>
-        <translation>Les points sont sur une même droite et ne déterminent pas de plan.</translation>
     </message>
     <message>
         <source>A sphere cannot have a radius of {radius} m.</source>
@@ -2657,14 +2549,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <message>
         <source>A sphere needs at least four points, here there are {points:n}.</source>
         <translation>Une sphère demande au moins quatre points ; ici, il y en a {points}.</translation>
-    </message>
-    <message>
-        <source>A sphere cannot be fitted to points with missing coordinates.</source>
-        <translation>Une sphère ne peut être ajustée à des points dont il manque des coordonnées.</translation>
-    </message>
-    <message>
-        <source>The points lie in one plane and do not determine a sphere.</source>
-        <translation>Les points sont dans un même plan et ne déterminent pas de sphère.</translation>
     </message>
     <message>
         <source>The points show too little of a curve for their noise to tell the radius of a sphere; give the radius, or take more of the surface.</source>
@@ -2810,10 +2694,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
         <translation>{line} : changement depuis l&apos;importation ({what})</translation>
     </message>
     <message>
-        <source>{line:name}: {path:kept} has changed since it was imported</source>
-        <translation>{line} : {path} a changé depuis l&apos;importation</translation>
-    </message>
-    <message>
         <source>{path:kept}: this part of the imported line {line} is missing</source>
         <translation>{path} : cette partie de la ligne importée {line} manque</translation>
     </message>
@@ -2832,10 +2712,6 @@ médiane {median}, RMS {rms}, 95 % {p95} mm</translation>
     <message>
         <source>the trajectory, its origin or its longest gap</source>
         <translation>la trajectoire, son origine ou sa plus longue lacune</translation>
-    </message>
-    <message>
-        <source>the prior mounting that brings it back to the scanner</source>
-        <translation>le montage a priori qui la ramène au scanneur</translation>
     </message>
     <message>
         <source>times are shifted by {shift:n} s</source>
