@@ -69,10 +69,21 @@ class Message:
     subject: Cause | None = None
     actions: tuple[Action, ...] = ()
 
+    def __post_init__(self) -> None:
+        """Keep numbers of NumPy as those of Python, which every reader of parameters knows."""
+        params = {name: _python_value(value) for name, value in self.params.items()}
+        object.__setattr__(self, "params", params)
+
     @property
     def is_serious(self) -> bool:
         """Whether the result cannot be used or may be wrong: more than a note."""
         return self.level is not Level.NOTE
+
+
+def _python_value(value: Any) -> Any:
+    if isinstance(value, list | tuple):
+        return type(value)(map(_python_value, value))
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def by_level(messages: Iterable[Message]) -> tuple[Message, ...]:

@@ -8,6 +8,7 @@ from string import Formatter
 from typing import cast
 
 import catalogues
+import numpy as np
 import pytest
 
 from lispac.causes import Cause
@@ -235,3 +236,13 @@ def test_former_codes_are_those_of_messages_that_exist() -> None:
     assert former_code(note("adjustment.contradicted_latency_alone")) == "contradicted_latency"
     assert former_code(note("report.simulated")) == "simulated"
     assert former_code(note("audit.no_range")) == "audit.no_range"
+
+
+def test_numbers_of_numpy_become_those_of_python() -> None:
+    made = note(
+        "audit.noise_classes", line="L1", count=np.int64(3), classes=[np.int32(7)],
+        share=np.float32(0.5),
+    )  # fmt: skip
+    assert made.params == {"line": "L1", "count": 3, "classes": [7], "share": 0.5}
+    assert [type(value) for value in made.params.values()] == [str, int, list, float]
+    assert decoded(json.loads(json.dumps(encoded(made))), Message).params["count"] == 3

@@ -155,7 +155,7 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
     )
     assert labels.tolist() == [1, 0]
     (tmp_path / "hut.stl").unlink()
-    with pytest.raises(InputError, match="no such mesh file"):
+    with pytest.raises(InputError, match="mesh file does not exist"):
         read_scene(path)
 
 
