@@ -184,7 +184,7 @@ def test_no_system_given(project: Project, tmp_path: Path) -> None:
         georeference_project(project, tmp_path / "out", "prior")
     with pytest.raises(InputError, check=has_code("crs.unknown")):
         georeference_project(project, tmp_path / "out", "prior", system="EPSG:999999")
-    with pytest.raises(ProjectError, match="no line L7; the lines are L1, L2"):
+    with pytest.raises(ProjectError, check=has_code("project_line.not_found", line="L7")):
         georeference_project(project, tmp_path / "out", "prior", system=UTM, lines=["L7"])
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         georeference_project(project, tmp_path / "out", system=UTM)

@@ -205,7 +205,7 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
     assert main(["import", str(project.folder), "--lines", "L1_000"]) == 0
     assert "imported already" in capsys.readouterr().out
     assert main(["import", str(project.folder), "--lines", "L9"]) == 1
-    assert "there is no line named L9" in capsys.readouterr().err
+    assert "there is no line L9" in capsys.readouterr().err
 
 
 def test_progress_tells_rate_and_time_left(project: Project, trajectory, monkeypatch) -> None:

@@ -116,7 +116,7 @@ def test_a_line_that_lacks_a_target_is_seeded_alone(opened: Driver, demo: Demo):
 def test_a_click_in_empty_space_and_a_seed_off_every_plane_change_nothing(opened: Driver):
     before = opened.project
     opened.viewport.click_empty()
-    assert "No point there" in opened.window.task_bar.currentMessage()
+    assert "No point under" in opened.window.task_bar.currentMessage()
     first = opened.window.document.survey.lines[0]
     opened.viewport.signals.seed_clicked.emit(PickedPoint(first, (0.0, 0.0, 500.0)))
     opened.rest()
