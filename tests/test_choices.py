@@ -65,7 +65,7 @@ def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> 
     assert 0 < len(fewer.sightings) < len(usual.sightings)
     assert min(len(sighting.indices) for sighting in fewer.sightings) >= between
     assert fewer.choices.min_points == between
-    with pytest.raises(TargetNotFound, match=f"{10 * sizes[-1]}"):
+    with pytest.raises(TargetNotFound, match=f"{10 * sizes[-1]:,}"):
         find(
             demo_project, survey, SEED, name="T1",
             choices=FinderChoices(min_points=10 * sizes[-1]),

@@ -264,5 +264,5 @@ def test_from_the_command_line(
         assert "export" in err
     code, _, err = run("--what", "targets", "--crs", "EPSG:99999", "--output", tmp_path / "x")
     assert code == 1
-    assert "not a coordinate system" in err
+    assert "PROJ does not know this coordinate system" in err
     assert not (tmp_path / "x").exists()

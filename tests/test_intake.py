@@ -46,7 +46,7 @@ def test_files_of_a_folder_are_sorted_by_what_they_are(whole: Intake) -> None:
     assert whole.time_base.key == "gps-week"
     assert {whole.state(line) for line in whole.lines} == {"fine"}
     assert whole.state(named(whole, "letter.md")) == "out"
-    assert said(whole, "letter.md").startswith("No format knows this file")
+    assert said(whole, "letter.md").startswith("The format of this file is not recognised")
 
 
 def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: Intake) -> None:

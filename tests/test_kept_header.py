@@ -10,9 +10,10 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import LineSource, Project
+from lispac.survey.store.layout import HEADER
 from lispac.survey.store.reading import StoredLine
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import HEADER, import_lines, kept_header, line_folder
+from lispac.workflow.importing import import_lines, kept_header, line_folder
 from lispac.workflow.projects import create_project
 from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import Survey, load_survey

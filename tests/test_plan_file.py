@@ -108,7 +108,7 @@ def test_a_plan_without_lines_or_boards_is_refused(tmp_path: Path) -> None:
         with pytest.raises(InputError) as refusal:
             read_plan(path)
         assert refusal.value.code == code
-    with pytest.raises(InputError, match="no such plan file"):
+    with pytest.raises(InputError, match="plan file does not exist"):
         read_plan(tmp_path / "none.toml")
 
 

@@ -208,7 +208,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     plain = _tables(document_of(sample_content(project), {}))
     rows = plain["Answers of parts of the data, as differences from the whole"].rows
     assert [row[0] for row in rows[-3:]] == [
-        "Without target T1", "Without target T2", "First half minus second half",
+        "Without target T1", "Without target T2", "First minus second half",
     ]  # fmt: skip
     assert rows[-3][-1] == "no answer"
     words = _words(document_of(sample_content(project), {}), "Cross-checks")

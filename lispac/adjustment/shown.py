@@ -47,7 +47,7 @@ UNCHECKED = 1.0
 
 SPREAD_LINES = "Spread, one line left out"
 SPREAD_TARGETS = "Spread, one target left out"
-HALVES = "First half minus second half"
+HALVES = "First minus second half"
 
 
 def counted(number: int, what: str) -> str:

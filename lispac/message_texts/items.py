@@ -41,7 +41,7 @@ TEXTS: Mapping[str, Template] = {
         "without target {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
     ),
     "item.halves": N_(
-        "first half minus second half ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+        "first minus second half ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
     ),
     # -- causes of residuals -----------------------------------------------------------------
     "cause.larger": N_("{parameter} larger by {amount}"),

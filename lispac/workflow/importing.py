@@ -22,7 +22,7 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.store.columns import checksum_of
-from lispac.survey.store.layout import MANIFEST, Original, damage_of
+from lispac.survey.store.layout import HEADER, HEADER_SUM, MANIFEST, Original, damage_of
 from lispac.survey.store.original import original_of
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
@@ -35,10 +35,6 @@ Array = NDArray[np.float64]
 
 LINES = "lines"
 """Folder of the stored lines, in that of the project."""
-HEADER = "header.las"
-"""In the folder of a line's columns: the header of its file and the records that go with it."""
-HEADER_SUM = "header.sum"
-"""Beside it: its checksum."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,10 +14,18 @@ from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
-from lispac.survey.store.layout import COLUMNS, MANIFEST, PART, is_link, write_manifest
+from lispac.survey.store.layout import (
+    COLUMNS,
+    HEADER,
+    HEADER_SUM,
+    MANIFEST,
+    PART,
+    is_link,
+    write_manifest,
+)
 from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.reading import StoredLine
-from lispac.workflow.importing import HEADER, HEADER_SUM, LINES, kept_header, line_folder
+from lispac.workflow.importing import LINES, kept_header, line_folder
 from lispac.workflow.projects import taken_back
 from lispac.workflow.survey import Survey
 

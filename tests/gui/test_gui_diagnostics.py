@@ -243,7 +243,7 @@ def test_thesis_mode_says_what_it_does_not_work_out(shown: Driver, estimated: Pr
     result = estimated.result
     thesis = replace(result, model=replace(result.model, pos_errors="independent"), reliability=())
     shown.window.document.edit("estimate", estimated.with_result(thesis))
-    assert turn_to(shown, "POS error").advice.startswith("Thesis mode does not work this out")
+    assert turn_to(shown, "POS error").advice.startswith("Not available with uncorrelated")
     assert set(texts(turn_to(shown, "Sightings").table, "Remark")) == {"no test"}
 
 

@@ -33,6 +33,10 @@ LONGEST_TYPE = 16
 """Characters of NumPy's name of the type of a number."""
 MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
 COLUMNS_NAME = re.compile(rf"{COLUMNS}[0-9]{{1,9}}")
+HEADER, HEADER_SUM = "header.las", "header.sum"
+"""Header of the imported file and its checksum, beside the columns."""
+COLUMN_FILE = re.compile(rf"(.+\.npy|{HEADER}|{HEADER_SUM})({PART})?")
+"""Names of the files that an import writes into the folder of its columns."""
 LARGEST_REACH, LARGEST_TIME = 1e7, 1e12
 """Metres from the origin and seconds that no survey has."""
 
@@ -378,13 +382,10 @@ def is_imported(folder: Path) -> bool:
 
 
 def remove_columns(folder: Path) -> None:
-    """Remove the columns of an import; files that no import writes stay, and the folder with them.
-
-    Columns are NumPy files; a file under way has the suffix `PART` besides.
-    """
+    """Remove the columns of an import; files that no import writes stay, and the folder too."""
     with suppress(OSError):
         for path in folder.iterdir():
-            if path.name.removesuffix(PART).endswith(".npy") and not path.is_dir():
+            if COLUMN_FILE.fullmatch(path.name) and not path.is_dir():
                 path.unlink()
         folder.rmdir()
 

@@ -1319,7 +1319,7 @@ vert. (°)</translation>
         <translation>Sans la cible {target}</translation>
     </message>
     <message>
-        <source>First half minus second half</source>
+        <source>First minus second half</source>
         <translation>Première moitié moins seconde</translation>
     </message>
     <message>
@@ -1339,7 +1339,7 @@ vert. (°)</translation>
         <translation>sans la cible {target}</translation>
     </message>
     <message>
-        <source>first half minus second half</source>
+        <source>first minus second half</source>
         <translation>première moitié moins seconde</translation>
     </message>
     <message>
