@@ -45,9 +45,9 @@ def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_
     found = answer(capsys, "predict", one_line)
     assert found["sigma_deg"] is None
     assert found["words"] == [
-        "This plan does not determine the boresight; add lines in other directions."
+        "This plan does not determine the boresight. Add lines in other directions."
     ]
-    assert "no such plan file" in refused(capsys, "predict", tmp_path / "none.toml")
+    assert "plan file does not exist" in refused(capsys, "predict", tmp_path / "none.toml")
 
 
 def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -130,7 +130,9 @@ def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
     twice = replace(one, indices=np.repeat(one.indices[:1], 2 * FEWEST))
     thin = replace(target, sightings=(twice,))
     first = iter([True])
-    with pytest.raises(ProjectError, match="T1: what would be left is no surface"):
+    with pytest.raises(
+        ProjectError, match="T1: the points that would be left do not form a surface"
+    ):
         without_points(
             thin, survey.clouds, lambda p: np.arange(len(p)) < (1 if next(first, False) else 0)
         )

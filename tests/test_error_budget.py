@@ -25,6 +25,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.workflow.budget import budget_of
 from lispac.workflow.survey import load_survey
 from tests.command_errors import command_error
+from tests.error_codes import has_code
 from tests.few_passes import answered
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import answer, run
@@ -176,7 +177,7 @@ def test_what_is_not_known_is_said_and_not_counted() -> None:
         less, more = (each["All together, after"].spreads[k].total for each in (found, stated))
         assert more == pytest.approx(np.sqrt(less**2 + 3 * 0.05**2))
     for distances in ([], [0.0], [-1.0], [float("nan")]):
-        with pytest.raises(InputError, match="larger than 0"):
+        with pytest.raises(InputError, check=has_code("adjustment.budget_distances")):
             error_budget(without, distances)
 
 

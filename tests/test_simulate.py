@@ -245,7 +245,7 @@ def test_what_cannot_be_replayed_is_refused(
         ),
         (
             REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("true", "no"),
-            "no such",
+            "does not exist",
         ),
     ):
         scene.write_text(text)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.adjustment.doubts import doubts
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
@@ -193,7 +194,8 @@ def test_two_lines_alone_are_warned_of(demo_project: Project) -> None:
     )
     found = targetless(project, two, count=FEW)
     assert (np.abs(error(found, project)) < 3 * np.degrees(found.result.sigma)).all()
-    assert any(sentence.startswith("Two lines alone") for sentence in found.sentences)
+    serious = {each.code for each in doubts(found.result, None) if each.is_serious}
+    assert "adjustment.line_unchecked" in serious
 
 
 @pytest.mark.long

@@ -73,7 +73,7 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     dialog.table.selectRow(1)
     shown = [label.text() for label in dialog.file_page.remarks.findChildren(QWidget)
              if hasattr(label, "text")]  # fmt: skip
-    assert any(text.startswith("No format knows this file") for text in shown)
+    assert any(text.startswith("The format of this file is not recognised") for text in shown)
     assert "is the trajectory yet" in dialog.reason.text()
 
 
