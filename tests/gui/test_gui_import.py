@@ -228,7 +228,7 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     qtbot.keyClick(field, Key.Key_Return)
     rest(qtbot, dialog)
     system = dialog.file_page.options.system
-    assert "not a coordinate system" in system.text()
+    assert "PROJ does not know this" in system.text()
     field.selectAll()
     qtbot.keyClicks(field, "32618")
     qtbot.keyClick(field, Key.Key_Return)

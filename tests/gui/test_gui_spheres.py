@@ -88,7 +88,7 @@ def test_only_a_target_can_be_a_ball(opened, balls):
     assert not panel._sphere_radius.isEnabled()
     panel.shape_choice.setCurrentIndex(1)
     assert panel._sphere_radius.isEnabled()
-    assert "The sphere is sought" in panel.hint.text()
+    assert "The sphere is searched for" in panel.hint.text()
     panel.set_role("validation")
     assert not panel.shape_choice.isEnabled()
     assert not panel._sphere_radius.isEnabled()
