@@ -94,6 +94,12 @@ def in_language(code: str) -> Iterator[None]:
         _chosen.reset(token)
 
 
+def in_english(value: object) -> str:
+    """Text of a message or an error in English, as projects keep what has no code yet."""
+    with in_language("en"):
+        return str(value)
+
+
 def N_(text: str) -> str:  # noqa: N802  (the name that gettext gives it)
     """Mark a text for extraction that is translated where it is shown."""
     return text

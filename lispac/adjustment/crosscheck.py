@@ -11,6 +11,7 @@ from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
+from lispac.language import in_english
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -136,7 +137,7 @@ def _check(
             parameters=parameters, accept_one_facing=True, diagnostics=False,
         )  # fmt: skip
     except AdjustmentError as error:
-        return CrossCheck(kind, name, reason=str(error))
+        return CrossCheck(kind, name, reason=in_english(error))
     difference = part.boresight - result.boresight
     # A part of the data has the larger variance, by that of the difference (Hausman 1978).
     spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))

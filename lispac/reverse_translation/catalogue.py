@@ -27,7 +27,8 @@ from xml.etree import ElementTree
 
 from lispac.errors import InputError
 from lispac.installed import resource
-from lispac.language import LANGUAGES
+from lispac.language import LANGUAGES, Plural, in_language, raw_text
+from lispac.message_texts import TEXTS
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
@@ -149,7 +150,40 @@ def catalogue_of(code: str) -> Catalogue:
     folder = resource(f"i18n/{code}")
     rules = (folder / "language.toml").read_text(encoding="utf-8")
     files = sorted(folder.glob("*.ts"))
-    return made(code, rules, chain.from_iterable(map(messages, files)))
+    texts = dict(of_messages(code))
+    texts |= dict(chain.from_iterable(map(messages, files)))
+    return made(code, rules, texts.items())
+
+
+_KIND_OF_SPECIFICATION = {"": "", "names": "list", "choices": "either"}
+_SPECIFIED = re.compile(r"\{(\w+)(?::([^}]*))?\}")
+
+
+def of_messages(code: str) -> Iterator[tuple[str, str]]:
+    """Texts of messages: projects keep some of them in English without their codes."""
+    pairs = []
+    with in_language(code):
+        for text in TEXTS.values():
+            if isinstance(text, Plural):
+                pairs.append((text.plural, raw_text(text, {"count": 2})))
+                pairs.append((text.singular, raw_text(text, {"count": 1})))
+            else:
+                pairs.append((text, raw_text(text, {})))
+    for english, translation in pairs:
+        names = [name for name, _ in _SPECIFIED.findall(english)]
+        said = [name for name, _ in _SPECIFIED.findall(translation)]
+        # A template has each place once, and the same in both languages.
+        if len(set(names)) == len(names) and set(names) == set(said):
+            yield (
+                _SPECIFIED.sub(_place_of, english),
+                _SPECIFIED.sub(lambda found: f"{{{found.group(1)}}}", translation),
+            )
+
+
+def _place_of(found: re.Match[str]) -> str:
+    name, specification = found.group(1), found.group(2) or ""
+    kind = _KIND_OF_SPECIFICATION.get(specification, "n")
+    return f"{{{name}:{kind}}}" if kind else f"{{{name}}}"
 
 
 def messages(file: Path) -> Iterator[tuple[str, str]]:

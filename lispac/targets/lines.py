@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
+from lispac.language import in_english
 from lispac.messages import Message, error
 from lispac.progress import Progress
 from lispac.targets.settings import FinderSettings
@@ -320,7 +321,7 @@ def _from_reference(
         lambda name: first if name == first_line else again(name),
         lambda count, name: progress(count / len(clouds), f"Looked for the target in {name}"),
     )
-    return found, {name: str(reason) for name, reason in missing.items()}
+    return found, {name: in_english(reason) for name, reason in missing.items()}
 
 
 def _clicked_line(

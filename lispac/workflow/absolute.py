@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.knn import build_tree
+from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
@@ -120,7 +121,8 @@ def check_absolute(
             lines.append(_compared(project, survey, cloud, where))
         except NotComparable as failure:
             refusal = note("check.line_not_compared", line=cloud.line, reason=failure.reason)
-            unseen.append(message_text(refusal))
+            with in_language("en"):
+                unseen.append(message_text(refusal))
     if not lines:
         raise NotComparable(
             error(

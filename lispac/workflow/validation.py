@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.errors import NotComparable, ProjectError
+from lispac.language import in_english
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
@@ -60,7 +61,7 @@ def validate(
                 )
             )  # fmt: skip
         except NotComparable as failure:
-            not_compared[plane.name] = str(failure)
+            not_compared[plane.name] = in_english(failure)
             reasons.append(failure.reason)
     if not comparisons:
         refusal = reasons[0]
