@@ -28,7 +28,7 @@ from xml.etree import ElementTree
 from lispac.errors import InputError
 from lispac.installed import resource
 from lispac.language import LANGUAGES, Plural, in_language, raw_text
-from lispac.message_texts import TEXTS
+from lispac.message_texts import adjustment, checking, program, targets
 
 _NUMBER = r"[+\-\u2212\u00b1]?\d(?:[\d,]*\d)?(?:\.\d+)?(?:e[+-]?\d+)?"
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
@@ -155,6 +155,10 @@ def catalogue_of(code: str) -> Catalogue:
     return made(code, rules, texts.items())
 
 
+KEPT_IN_PROJECTS = (adjustment, checking, program, targets)
+"""Topics of messages whose texts projects keep, as reasons why something is missing."""
+FEWEST_LETTERS = 20
+"""Characters besides its places of a template with names: shorter ones fit everything."""
 _KIND_OF_SPECIFICATION = {"": "", "names": "list", "choices": "either"}
 _SPECIFIED = re.compile(r"\{(\w+)(?::([^}]*))?\}")
 
@@ -162,8 +166,9 @@ _SPECIFIED = re.compile(r"\{(\w+)(?::([^}]*))?\}")
 def of_messages(code: str) -> Iterator[tuple[str, str]]:
     """Texts of messages: projects keep some of them in English without their codes."""
     pairs = []
+    texts = (text for topic in KEPT_IN_PROJECTS for text in topic.TEXTS.values())
     with in_language(code):
-        for text in TEXTS.values():
+        for text in texts:
             if isinstance(text, Plural):
                 pairs.append((text.plural, raw_text(text, {"count": 2})))
                 pairs.append((text.singular, raw_text(text, {"count": 1})))
@@ -172,10 +177,14 @@ def of_messages(code: str) -> Iterator[tuple[str, str]]:
     for english, translation in pairs:
         names = [name for name, _ in _SPECIFIED.findall(english)]
         said = [name for name, _ in _SPECIFIED.findall(translation)]
+        template = _SPECIFIED.sub(_place_of, english)
+        is_distinct = len(_PLACE.sub("", template)) >= FEWEST_LETTERS or all(
+            kind == "n" for _, kind in _PLACE.findall(template)
+        )
         # A template has each place once, and the same in both languages.
-        if len(set(names)) == len(names) and set(names) == set(said):
+        if is_distinct and len(set(names)) == len(names) and set(names) == set(said):
             yield (
-                _SPECIFIED.sub(_place_of, english),
+                template,
                 _SPECIFIED.sub(lambda found: f"{{{found.group(1)}}}", translation),
             )
 
