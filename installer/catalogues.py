@@ -31,7 +31,7 @@ TYPOGRAPHY = (
     (" ([:»%])", "\u00a0\\1"),
     (" ([;!?])", "\u202f\\1"),
     ("« ", "«\u00a0"),
-    (r"([\d}]) (mm|cm|m|km|s|ms|h|Hz)\b", "\\1\u00a0\\2"),
+    (r"([\d}]) (mm|cm|m|km|s|ms|h|Hz)\b(?!['\u2019])", "\\1\u00a0\\2"),
 )
 """French typography: what replaces what in a translation."""
 
