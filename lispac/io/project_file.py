@@ -329,8 +329,8 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         accuracy=_absolute(content["accuracy"], folder) if content["accuracy"] else None,
         lines=tuple(
             LineSource(
-                line["name"],
-                _absolute(line["path"], folder),
+                decoded(line["name"], str),
+                _absolute(decoded(line["path"], str), folder),
                 tuple(line["columns"]),
                 decoded(line["reading"], Reading),
             )
@@ -380,36 +380,37 @@ def _decode_result(content: Any) -> AdjustmentResult:
 
 
 def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
-    path = folder / content["indices"]
+    name = decoded(content["name"], str)
+    path = folder / decoded(content["indices"], str)
     if not path.is_file():
-        raise ProjectError(error("project.points_missing", file=str(path), target=content["name"]))
+        raise ProjectError(error("project.points_missing", file=str(path), target=name))
     sightings = tuple(
         PickedSighting(
-            item["line"],
+            decoded(item["line"], str),
             indices,
-            item["rms"],
-            item["used"],
-            item["fingerprint"],
+            decoded(item["rms"], float),
+            decoded(item["used"], bool),
+            decoded(item["fingerprint"], str),
             int(item.get("one_in", 1)),
             bool(item.get("by_hand", False)),
         )
         for item, indices in zip(
             content["sightings"],
-            _read_indices(path, content["name"], [_count(s) for s in content["sightings"]]),
+            _read_indices(path, name, [_count(s) for s in content["sightings"]]),
             strict=True,
         )
     )
     return Target(
-        content["name"],
+        name,
         content["role"],
         _triple(content["seed"]),
-        content["threshold"],
-        content["radius"],
+        decoded(content["threshold"], float),
+        decoded(content["radius"], float),
         sightings,
-        content["missing"],
-        content["used"],
+        decoded(content["missing"], dict[str, str]),
+        decoded(content["used"], bool),
         content["shape"],
-        content["sphere_radius"],
+        None if content["sphere_radius"] is None else decoded(content["sphere_radius"], float),
         decoded(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
         decoded(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
     )

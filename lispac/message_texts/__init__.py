@@ -96,9 +96,9 @@ def _rendered(params: Mapping[str, Value]) -> dict[str, Any]:
 def _with_text(value: Value) -> Any:
     if isinstance(value, Message):
         return message_text(value)
-    if isinstance(value, str | int | float):
-        return value
-    return [_with_text(each) for each in value]
+    if isinstance(value, list | tuple):
+        return [_with_text(each) for each in value]
+    return value
 
 
 def _one_line(text: str) -> str:

@@ -294,8 +294,10 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         raise DamagedStore(import_again(values))
 
 
-def _is_placed(placed_with: Mapping[str, Any]) -> bool:
+def _is_placed(placed_with: Any) -> bool:
     """Whether it holds the nine values of a mounting, as numbers, or nothing."""
+    if not isinstance(placed_with, dict):
+        return False
     values = placed_with.get("mounting", [0.0] * 9)
     return (
         isinstance(values, list)
