@@ -123,9 +123,7 @@ def text_of(template: Template, params: Mapping[str, Any]) -> str:
     text = raw_text(template, params)
     text = _FORMATTER.vformat(text, (), params) if params else text
     if current_language() != "en":
-        _translated[text] = None
-        if len(_translated) > MAX_REMEMBERED:
-            del _translated[next(iter(_translated))]
+        mark_translated(text)
     return text
 
 
@@ -146,7 +144,9 @@ def is_translated(text: str) -> bool:
 
 
 def mark_translated(text: str) -> None:
-    """Let `is_translated` know a part of a text that `gettext` has made."""
+    """Let `is_translated` know a text, or a part of one, that `gettext` has made."""
+    if len(_translated) >= MAX_REMEMBERED:
+        _translated.clear()  # at once, since threads share it
     _translated[text] = None
 
 

@@ -32,7 +32,7 @@ from lispac.messages import (
     warning,
 )
 from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.messages import text_said
+from lispac.reverse_translation.messages import translated_text
 from lispac.reverse_translation.translation import Translator
 from tests.message_calls import calls
 from tests.report_sample import sample_project
@@ -227,7 +227,7 @@ def test_sentences_within_messages_are_translated() -> None:
     """Those that code without typed messages makes."""
     inner = note("report.not_compared", reason="So.")
     found = warning("data.same_on_lines", reason=inner, lines=("So.",))
-    assert text_said(found, {"So.": "Voilà."}.__getitem__) == (
+    assert translated_text(found, {"So.": "Voilà."}.__getitem__) == (
         "Not compared: Voilà. The same applies to So.."
     )
 

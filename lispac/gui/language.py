@@ -17,7 +17,7 @@ from lispac.language import number, short_datetime, use_language
 from lispac.messages import Message
 from lispac.project import Project
 from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.messages import text_said
+from lispac.reverse_translation.messages import translated_text
 from lispac.reverse_translation.translation import Translator
 
 if TYPE_CHECKING:
@@ -128,7 +128,7 @@ def say(text: str) -> str:
 
 def say_message(message: Message) -> str:
     """Text of a message in the user's language."""
-    return text_said(message, say)
+    return translated_text(message, say)
 
 
 def say_with_capital(text: str) -> str:

@@ -31,7 +31,7 @@ from lispac.report.translated import drawn, translated, translator
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
-from lispac.reverse_translation.messages import text_said
+from lispac.reverse_translation.messages import translated_text
 
 TWO_ON_A_PAGE = 92.0
 """Height of a picture, mm, of which two with their captions fit on the smaller page."""
@@ -70,7 +70,7 @@ def in_english(
     ----------
     say : translates English sentences within messages
     """
-    serious = tuple(text_said(each, say) for each in content.cautions if each.is_serious)
+    serious = tuple(translated_text(each, say) for each in content.cautions if each.is_serious)
     status, verdict = _verdict(content, bool(serious))
     parts = [
         _section("Boresight and its uncertainty", boresight(content)),
@@ -96,7 +96,9 @@ def in_english(
         verdict=verdict,
         identity=identity(content),
         serious=serious,
-        cautions=tuple(text_said(each, say) for each in content.cautions if not each.is_serious),
+        cautions=tuple(
+            translated_text(each, say) for each in content.cautions if not each.is_serious
+        ),
         summary=(
             *sections.summary(content),
             *(Paragraph(text, own=True) for text in options.closing.split("\n\n") if text),

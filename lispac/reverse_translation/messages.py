@@ -10,7 +10,7 @@ REASON = "reason"
 """Parameter that is such a sentence where it is a text."""
 
 
-def text_said(message: Message, say: Callable[[str], str]) -> str:
+def translated_text(message: Message, say: Callable[[str], str]) -> str:
     """Text of a message in the language in use; ``say`` translates sentences within it."""
     return message_text(_with_reasons(message, say))
 

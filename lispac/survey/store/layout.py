@@ -284,7 +284,7 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         and COLUMNS_NAME.fullmatch(manifest.folder) is not None
         and 0 <= manifest.reach <= LARGEST_REACH
         and max(abs(manifest.first_time), abs(manifest.last_time)) <= LARGEST_TIME
-        and _is_placed(manifest.placed_with)
+        and _has_mounting_values(manifest.placed_with)
         and {column.name for column in manifest.columns} >= OWN_FILES
         and isinstance(manifest.made_with, dict)
         and isinstance(manifest.placed_with, dict)
@@ -294,7 +294,7 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         raise DamagedStore(import_again(values))
 
 
-def _is_placed(placed_with: Any) -> bool:
+def _has_mounting_values(placed_with: Any) -> bool:
     """Whether it holds the nine values of a mounting, as numbers, or nothing."""
     if not isinstance(placed_with, dict):
         return False
