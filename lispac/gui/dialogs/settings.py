@@ -15,7 +15,7 @@ from lispac.gui.panels.report import OTHERS
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.units import ANGLES, LENGTHS
-from lispac.language import LANGUAGES
+from lispac.language import LANGUAGES, gettext
 from lispac.workflow.sensors import library
 
 MILLION = 1_000_000
@@ -147,7 +147,7 @@ class SettingsDialog(QDialog):
             field.setMaximumWidth(160)
         self._form.addRow(widgets.label("Window", "heading"))
         self._form.addRow(say("Language"), self.language)
-        self._form.addRow(say("Colours"), self.looks)
+        self._form.addRow(gettext("Theme"), self.looks)
         self._form.addRow(say("Colours of measured values"), self.scale)
         self._form.addRow(say("Size of points"), self.point_size)
         self._form.addRow(say("Points drawn at most"), self.point_budget)

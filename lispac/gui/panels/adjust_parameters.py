@@ -13,6 +13,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import ALIKE
 from lispac.gui.units import Base
+from lispac.language import gettext
 from lispac.project import Settings
 
 
@@ -166,7 +167,7 @@ class ParameterSwitches(QWidget):
         chosen = [KINDS[name].title for name, switch in self.switches.items() if switch.isChecked()]
         if len(chosen) > 2:
             return say(f"{len(chosen)} values")
-        return ", ".join(say(_small(title)) for title in chosen) if chosen else say("nothing")
+        return ", ".join(say(_small(title)) for title in chosen) if chosen else gettext("none")
 
     def _prior(self, kind: Kind) -> QWidget:
         if kind.name in LEVER:

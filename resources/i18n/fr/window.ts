@@ -4533,10 +4533,6 @@
         <translation>Avancé</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>rien</translation>
-    </message>
-    <message>
         <source>{n:n} values</source>
         <translation>{n} valeurs</translation>
     </message>
