@@ -14,6 +14,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from lispac.errors import InputError
+from lispac.messages import error
+
 POLL = 0.05
 """Seconds between two attempts to get a lock."""
 UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
@@ -40,6 +43,8 @@ def file_lock(
     ------
     LockTaken
         Where it is still held after that time, by this process or another.
+    InputError
+        Where a link or a folder has the name of the lock file.
     OSError
         Where the file cannot be made.
     """
@@ -58,18 +63,25 @@ def _taken(path: Path, until: float, waiting: Callable[[], None]) -> int:
     Raises
     ------
     LockTaken
+    InputError
+    OSError
     """
     while True:
-        # No link is followed: it could lead to another place where a file would be made.
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        try:
+            # No link is followed: it could lead to another place where a file would be made.
+            handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+        except OSError:
+            if path.is_symlink() or path.is_dir():
+                raise InputError(error("lock.not_a_file", file=str(path))) from None
+            raise
         try:
             _lock(handle)
-        except OSError as error:
-            if error.errno in UNSUPPORTED:
+        except OSError as failure:
+            if failure.errno in UNSUPPORTED:
                 return handle
             os.close(handle)
             if time.monotonic() >= until:
-                raise LockTaken(str(path)) from error
+                raise LockTaken(str(path)) from failure
             waiting()
             waiting = _nothing
             time.sleep(POLL)
@@ -104,8 +116,8 @@ def is_locked(path: Path) -> bool | None:
         return False
     try:
         _lock(handle)
-    except OSError as error:
-        return None if error.errno in UNSUPPORTED else True
+    except OSError as failure:
+        return None if failure.errno in UNSUPPORTED else True
     finally:
         os.close(handle)
     return False

@@ -70,7 +70,14 @@ def folder(tmp_path: Path) -> Path:
          error("content.wrong_form", part="AdjustmentResult")),
         (lambda content: content["lines"][0].update(name="L9"),
          error("content.unknown_line", target="T1", line="L1")),
-        (lambda content: content.update(schema_version="x"), error("content.wrong_type")),
+        (
+            lambda content: content.update(schema_version="x"),
+            error("content.invalid_version", version="'x'"),
+        ),
+        (
+            lambda content: content.update(schema_version=-5),
+            error("content.invalid_version", version="-5"),
+        ),
     ],
 )  # fmt: skip
 def test_a_value_that_does_not_fit(folder: Path, damage: Damage, reason: Message) -> None:

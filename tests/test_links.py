@@ -7,14 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.errors import ProjectError
+from lispac.errors import InputError, ProjectError
 from lispac.io.las import write_points
 from lispac.io.project_file import SIGHTINGS, read_project, write_project
+from lispac.io.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
 from lispac.workflow.demo import MARKER, make_demo
 from lispac.workflow.importing import LINES, import_lines, line_folder
 from lispac.workflow.survey import Survey, load_survey
+from tests.error_codes import has_code
 
 
 @pytest.fixture
@@ -135,3 +137,15 @@ def test_an_import_removes_only_files_that_imports_write(project: Project) -> No
     import_lines(project, again=True)
     left = sorted(path.parent.name for path in store.rglob("mine.txt"))
     assert left == ["columns-7", "columns-backup", "spool"]
+
+
+@pytest.mark.parametrize("kind", ["link", "folder"])
+def test_a_lock_file_that_is_none_is_named(project: Project, tmp_path: Path, kind: str) -> None:
+    lock = project.folder / LOCK_NAME
+    if kind == "link":
+        lock.symlink_to(tmp_path / "elsewhere")
+    else:
+        lock.mkdir()
+    with pytest.raises(InputError, check=has_code("lock.not_a_file")):
+        write_project(project)
+    assert not (tmp_path / "elsewhere").exists()

@@ -1,5 +1,6 @@
 """``lispac simulate``: files that the rest of the program works with, and the truth beside them."""
 
+import errno
 import json
 from pathlib import Path
 
@@ -322,3 +323,26 @@ def test_the_same_seed_gives_the_same_files(
     other = files("b", 4)
     assert other.keys() == first.keys()
     assert other["trajectory.sbet"] != first["trajectory.sbet"]
+
+
+def test_a_simulation_that_cannot_be_written_leaves_the_earlier_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    words = ("simulate", "port", "--points-per-second", 2000, "--output")
+    done(capsys, *words, tmp_path / "survey")
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("lispac.workflow.simulate.write_smrmsg", full)
+    refused(capsys, *words, tmp_path / "survey", "--seed", 7)
+    refused(capsys, *words, tmp_path / "new" / "survey")
+    after = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    assert after == before
+    assert not (tmp_path / "new").exists()
+    monkeypatch.undo()
+    killed = tmp_path / "survey" / ".survey-abcdefgh.part"
+    killed.mkdir()
+    done(capsys, *words, tmp_path / "survey", "--seed", 7)
+    assert not killed.exists()

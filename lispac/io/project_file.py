@@ -238,6 +238,8 @@ def _decoded(path: Path, text: bytes) -> Project:
     try:
         content = json_values(text)
         version = content["schema_version"]
+        if type(version) is not int or version < 1:
+            raise InvalidContentError(error("content.invalid_version", version=repr(version)[:40]))
         if version > SCHEMA_VERSION:
             raise ProjectError(error("project.newer_version", file=str(path), version=version))
         project = _decode(path.parent.resolve(), upgraded(content))

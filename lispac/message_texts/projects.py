@@ -19,6 +19,10 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: another program is changing this project. Nothing was saved. Wait until it has "
         "finished, then try again."
     ),
+    "lock.not_a_file": N_(
+        "{file}: a link or a folder has the name of the program's lock file. Nothing was changed. "
+        "Remove it, then try again."
+    ),
     "project.unreadable": N_(
         "{file}: the project file cannot be read ({reason}). Check the disk and the permissions."
     ),

@@ -14,6 +14,7 @@ TEXTS: Mapping[str, Template] = {
     "content.null_character": N_("A text contains a null character."),
     "content.surrogate": N_("A text contains half of a surrogate pair."),
     "content.missing_field": N_("The field {field} is missing."),
+    "content.invalid_version": N_("The version of the file format is invalid: {version}."),
     "content.wrong_type": N_("A value has the wrong type."),
     "content.not_integer": N_("A count is not an integer."),
     "content.not_number": N_("A value is not a number."),

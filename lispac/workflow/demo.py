@@ -9,10 +9,11 @@ from lispac.project import Project, Role, Settings, Triple
 from lispac.simulation.survey import POINTS_PER_SECOND, port_survey
 from lispac.workflow.calibration import estimate
 from lispac.workflow.picking import pick
-from lispac.workflow.projects import create_project, save_project
+from lispac.workflow.projects import save_project
 from lispac.workflow.simulate import (
     RAW,
-    clear,
+    project_of,
+    replacement,
     require_replaceable,
     triple,
     write_lines,
@@ -52,23 +53,18 @@ def make_demo(
     folder = Path(folder).absolute()
     require_replaceable(folder, MARKER)
     survey = port_survey(points_per_second=points_per_second, progress=part(progress, 0.0, 0.7))
-    clear(folder, MARKER, "Built-in survey; remade by every run of the demo.\n")
-    trajectory, accuracy = write_trajectory(survey, folder / RAW)
-    lines = write_lines(survey, folder / RAW, progress=part(progress, 0.7, 1.0))
+    with replacement(folder, MARKER, "Built-in survey; each run of the demo replaces it.\n") as new:
+        write_trajectory(survey, new / RAW)
+        write_lines(survey, new / RAW, progress=part(progress, 0.7, 1.0))
     latitude, longitude, height = survey.origin
-    return create_project(
-        folder,
-        trajectory=trajectory,
-        lines=lines,
-        accuracy=accuracy,
-        settings=Settings(
-            lever_arm=triple(survey.lever_arm),
-            origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
-            lidar_sigma=LIDAR_SIGMA,
-            pos_errors="correlated",  # as the errors put in are
-        ),
-        truth_deg=triple(np.degrees(survey.boresight)),
+    settings = Settings(
+        lever_arm=triple(survey.lever_arm),
+        origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
+        lidar_sigma=LIDAR_SIGMA,
+        pos_errors="correlated",  # as the errors put in are
     )
+    names = [line.name for line in survey.lines]
+    return project_of(folder, names, settings, np.degrees(survey.boresight))
 
 
 def demo_seeds() -> dict[str, tuple[Role, Triple]]:

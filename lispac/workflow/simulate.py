@@ -1,14 +1,18 @@
 """Simulated surveys as projects: the files a surveyor would have, and the truth beside them."""
 
 import json
+import re
 import shutil
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
+from tempfile import mkdtemp
 
 import numpy as np
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.files import written_whole
+from lispac.io.files import not_written, remove_empty, written_whole
 from lispac.io.las import write_points
 from lispac.io.project_file import FILE_NAME, SIGHTINGS
 from lispac.io.sbet import write_sbet, write_smrmsg
@@ -27,10 +31,12 @@ from lispac.workflow.projects import create_project
 from lispac.workflow.simulated_setup import Simulation
 
 RAW, TRUTH, MARKER = "raw", "truth", "simulated"
+TRAJECTORY, ACCURACY = "trajectory.sbet", "smrmsg.out"
 TARGETS = "targets.csv"
 """List of coordinates that ``lispac pick --seeds`` reads."""
 BALLS = "balls.csv"
 """The same of balls, for ``--shape sphere``."""
+_UNFINISHED = re.compile(r"\.survey-\w{8}\.part")
 
 
 def simulate(
@@ -61,6 +67,8 @@ def simulate(
     """
     folder = Path(folder).absolute()
     require_replaceable(folder, MARKER)
+    settings = _settings(simulation)
+    settings.require_sound()
     survey = simulated(
         simulation.setup, seed=seed, noise=noise, pos_errors=pos_errors,
         progress=part(progress, 0.0, 0.6),
@@ -68,17 +76,39 @@ def simulate(
     for line in survey.lines:
         if not len(line.time):
             raise InputError(error("simulate.line_without_points", line=line.name))
-    clear(folder, MARKER, "Simulated survey; remade by every run of the simulation into it.\n")
-    shutil.rmtree(folder / TRUTH, ignore_errors=True)
-    lines = write_lines(survey, folder / RAW, progress=part(progress, 0.6, 0.95))
-    trajectory, accuracy = write_trajectory(survey, folder / RAW)
-    _write_truth(survey, simulation, folder, seed)
-    project = create_project(
-        folder, trajectory=trajectory, lines=lines, accuracy=accuracy,
-        settings=_settings(simulation), truth_deg=triple(np.degrees(survey.boresight)),
-    )  # fmt: skip
+    mark, parts = "Simulated survey; each simulation replaces it.\n", (RAW, TRUTH, TARGETS, BALLS)
+    with replacement(folder, MARKER, mark, parts) as new:
+        write_lines(survey, new / RAW, progress=part(progress, 0.6, 0.95))
+        write_trajectory(survey, new / RAW)
+        _write_truth(survey, simulation, new, seed)
+    project = project_of(
+        folder, [line.name for line in survey.lines], settings, np.degrees(survey.boresight)
+    )
     progress(1.0, "Simulated")
     return project, {line.name: len(line.time) for line in survey.lines}
+
+
+def project_of(
+    folder: Path, lines: Sequence[str], settings: Settings, truth_deg: np.ndarray
+) -> Project:
+    """Create the project of a simulated survey in ``folder``.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        Names of the lines, whose files are in the folder ``raw``.
+    truth_deg : ndarray of shape (3,)
+        True boresight angles.
+    """
+    raw = folder / RAW
+    return create_project(
+        folder,
+        trajectory=raw / TRAJECTORY,
+        lines=[LineSource(name, raw / f"{name}.laz") for name in lines],
+        accuracy=raw / ACCURACY,
+        settings=settings,
+        truth_deg=triple(truth_deg),
+    )
 
 
 def require_replaceable(folder: Path, marker: str) -> None:
@@ -90,17 +120,64 @@ def require_replaceable(folder: Path, marker: str) -> None:
     """
     if folder.exists() and not folder.is_dir():
         raise ProjectError(error("simulate.folder_is_file", folder=str(folder)))
-    if folder.exists() and any(folder.iterdir()) and not (folder / RAW / marker).is_file():
+    names = [path.name for path in folder.iterdir()] if folder.exists() else []
+    is_foreign = any(not _UNFINISHED.fullmatch(name) for name in names)
+    if is_foreign and not (folder / RAW / marker).is_file():
         raise ProjectError(error("simulate.folder_in_use", folder=str(folder)))
     require_no_link(folder / RAW, folder / TRUTH, folder / SIGHTINGS)
 
 
-def clear(folder: Path, marker: str, text: str) -> None:
-    """Take away what an earlier survey of this kind left, and mark the folder as one."""
-    with written_whole(folder / RAW / marker) as path:
-        path.write_text(text)
-    (folder / FILE_NAME).unlink(missing_ok=True)
-    shutil.rmtree(folder / SIGHTINGS, ignore_errors=True)
+@contextmanager
+def replacement(
+    folder: Path, marker: str, text: str, parts: Sequence[str] = (RAW,)
+) -> Iterator[Path]:
+    """Yield an empty folder for the files of a new survey, which replace those of the earlier one.
+
+    The files are moved into ``folder`` when all are written. Where that fails, what was there
+    before stays as it was.
+
+    Parameters
+    ----------
+    marker : str
+        Name of the file that marks the survey as one that may be replaced.
+    text : str
+        Content of that file.
+    parts : sequence of str
+        Files and folders of the earlier survey, which are removed besides the project.
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be written.
+    """  # noqa: DOC501 - `not_written` makes an InputError
+    present = [each for each in (folder, *folder.parents) if each.exists()]
+    made = [each for each in (folder, *folder.parents) if each not in present]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for path in folder.iterdir():
+            if _UNFINISHED.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path, ignore_errors=True)  # of a run that was killed
+        new = Path(mkdtemp(prefix=".survey-", suffix=".part", dir=folder))
+    except OSError as failure:
+        remove_empty(made)
+        raise not_written(folder, failure) from failure
+    try:
+        with written_whole(new / RAW / marker) as path:
+            path.write_text(text, encoding="utf-8")
+        yield new
+        (folder / FILE_NAME).unlink(missing_ok=True)
+        for earlier in (folder / name for name in (SIGHTINGS, *parts)):
+            if earlier.is_dir():
+                shutil.rmtree(earlier)
+            else:
+                earlier.unlink(missing_ok=True)
+        for path in new.iterdir():
+            path.rename(folder / path.name)
+    except OSError as failure:
+        raise not_written(folder, failure) from failure
+    finally:
+        shutil.rmtree(new, ignore_errors=True)
+        remove_empty(made)
 
 
 def write_lines(
@@ -118,7 +195,7 @@ def write_lines(
 
 def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
     """Write SBET and smrmsg, and give their paths."""
-    sbet, smrmsg = raw / "trajectory.sbet", raw / "smrmsg.out"
+    sbet, smrmsg = raw / TRAJECTORY, raw / ACCURACY
     states = survey.trajectory
     attitude = np.stack([states.roll, states.pitch, states.heading], axis=1)
     write_sbet(
@@ -193,7 +270,6 @@ def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, 
             for name, seed_local in seeds.items()
             if isinstance(survey.scene[name], Sphere) == spheres
         ]
-        (folder / file).unlink(missing_ok=True)
         if rows:
             columns = [np.array(column) for column in zip(*rows, strict=True)]
             with written_whole(folder / file) as path:
