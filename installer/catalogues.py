@@ -10,6 +10,7 @@ committed: a checkout runs without a build.
 """
 
 import argparse
+import ast
 import re
 import sys
 from datetime import UTC, datetime
@@ -24,7 +25,7 @@ from babel.messages.pofile import read_po, write_po
 
 ROOT = Path(__file__).resolve().parents[1]
 CODES = ("fr",)
-KEYWORDS = {"N_": None, "gettext": None, "_": None, "Plural": (1, 2)}
+KEYWORDS = {"N_": None, "gettext": None, "gettext_lazy": None, "Plural": (1, 2)}
 
 TYPOGRAPHY = (
     ("'", "\u2019"),
@@ -54,6 +55,22 @@ def extracted() -> Catalog:
             place = f"lispac/{Path(file).as_posix()}"
             # Numbers of lines would change with every edit.
             found.add(text, locations=[(place, 0)], auto_comments=comments)
+    return found
+
+
+def not_extracted(catalogue: Catalog) -> list[str]:
+    """Texts marked in the source that Babel does not find, as those within an f-string."""
+    found = []
+    for path in sorted((ROOT / "lispac").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+                continue
+            if node.func.id not in KEYWORDS or not node.args:
+                continue
+            first = node.args[0]
+            text = first.value if isinstance(first, ast.Constant) else None
+            if isinstance(text, str) and text and text not in catalogue:
+                found.append(f"not extracted from {path.relative_to(ROOT)}: {text!r}")
     return found
 
 
@@ -151,7 +168,7 @@ def main(argv: list[str] | None = None) -> int:
                 path.write_bytes(content)
         stale = [path for path, content in files.items() if path.read_bytes() != content]
         found = [f"out of date: {path.relative_to(ROOT)}" for path in stale]
-        found += problems(catalogue)
+        found += problems(catalogue) + not_extracted(catalogue)
         print("\n".join(f"{code}: {each}" for each in found) or f"{code}: up to date")
         failed = failed or bool(found)
     return int(failed)

@@ -105,6 +105,25 @@ def N_(text: str) -> str:  # noqa: N802  (the name that gettext gives it)
     return text
 
 
+class LazyText:
+    """A text that is translated each time it is shown: ``str(text)``.
+
+    For texts that outlive a change of the language, such as the names of undo steps.
+    """
+
+    def __init__(self, template: Template, params: Mapping[str, Any]) -> None:
+        self._template, self._params = template, params
+
+    def __str__(self) -> str:
+        """The text in the language in use."""
+        return text_of(self._template, self._params)
+
+
+def gettext_lazy(template: Template, /, **params: Any) -> LazyText:
+    """As `gettext`, translated when it is shown."""
+    return LazyText(template, params)
+
+
 def gettext(template: Template, /, **params: Any) -> str:
     """Translate a text and fill its placeholders.
 

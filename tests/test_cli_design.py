@@ -78,7 +78,7 @@ def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
     assert answer(capsys, "design", site, "--workers", 2) == found
     said = told(capsys, "design", site, "--workers", 1, "--for", "yaw")
-    assert "smallest the sigma of yaw" in said
+    assert "smallest standard deviation of yaw" in said
     assert "which is all there are" in said
     assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
 
@@ -107,12 +107,13 @@ def test_replay_of_the_built_in_survey(
     board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
     more.write_text(PORT.read_text() + further + board)
     said = told(capsys, "replay", folder, "--plan", more)
-    assert "Line 7 (020 deg, 30 m to starboard) was not sailed: with it the sigma of" in said
-    assert "Target T9 was not used: with it the sigma of" in said
+    assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in said
+    assert "Target T9 was not used." in said
+    assert said.count("With it the standard deviation of") == 2
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
     off = answer(capsys, "replay", folder, "--plan", far)
-    assert off["words"] == ["Line 1 (000 deg, 30 m to starboard) was sailed at 15 m."]
+    assert off["words"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
     assert off["sailed_sigma_deg"] == pytest.approx(found["sailed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')

@@ -25,23 +25,29 @@ def test_the_usual_plan_can_be_done(plan: Plan) -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "code", "distance"),
     [
-        (Line(0.0, 2.0, True), "Line 1 comes within 2.0 m of the wall where it is straight: "),
-        (Line(45.0, 5.0, True), "Line 1 would run through the wall, to "),
+        # 2 m off, the closest distance; 45 deg: the line goes on beyond the last target.
+        (Line(0.0, 2.0, True), "plan.line_near_wall", pytest.approx(2.0)),
+        (Line(45.0, 5.0, True), "plan.line_through_wall", None),
     ],
 )
-def test_lines_that_a_vessel_cannot_sail_are_told(plan: Plan, line: Line, said: str) -> None:
-    (told,) = cautions(TitledPlan("Quay", replace(plan, lines=(line,)), WALL))
-    assert told.startswith(said)
-    assert told.endswith("sail it farther off, or turn it.")
+def test_lines_that_a_vessel_cannot_sail(
+    plan: Plan, line: Line, code: str, distance: float | None
+) -> None:
+    (found,) = cautions(TitledPlan("Quay", replace(plan, lines=(line,)), WALL))
+    assert (found.code, found.params["line"]) == (code, 1)
+    assert found.params["distance"] > 0
+    if distance is not None:
+        assert found.params["distance"] == distance
 
 
 def test_boards_in_one_place_are_told(plan: Plan) -> None:
     one = plan.targets[0]
     twins = replace(plan, targets=(one, replace(one, name="twin"), *plan.targets[1:]))
-    told = cautions(TitledPlan("Quay", twins, WALL))
-    assert told[0] == f"{one.name} and twin hang over each other: move one of them."
+    found = cautions(TitledPlan("Quay", twins, WALL))
+    assert found[0].code == "plan.targets_overlap"
+    assert dict(found[0].params) == {"first": one.name, "second": "twin"}
 
 
 def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:

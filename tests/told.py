@@ -12,7 +12,7 @@ FOR_PROGRAMMERS = {"ValueError", "AssertionError", "AttributeError", "FileNotFou
 """Errors that no user is shown."""
 NEVER_SHOWN = FOR_PROGRAMMERS | {"InputError", "ProjectError", "LispacError"}
 """Errors that stop a command and are kept nowhere."""
-OF_CATALOGUE = {"N_", "Plural", "gettext"}
+OF_CATALOGUE = {"N_", "Plural", "gettext", "gettext_lazy"}
 """Calls whose texts the gettext catalogues hold."""
 NEVER_CALLED = {"progress", "step"}
 """What they are told is gone with the bar it stood beside."""

@@ -11,6 +11,7 @@ from lispac.design.objective import Objective
 from lispac.design.prediction import predict as foretold
 from lispac.design.search import worth
 from lispac.io.plan_file import read_plan
+from lispac.message_texts import message_text
 from lispac.workflow.designing import cautions, words_of
 
 
@@ -19,7 +20,7 @@ def predict(arguments: Namespace) -> None:
     titled = read_plan(arguments.plan)
     plan = titled.plan
     found, valued = foretold(plan), worth(plan, Objective())
-    words = (*cautions(titled), *words_of(plan))
+    words = (*map(message_text, cautions(titled)), *words_of(plan))
     if arguments.json:
         determined = found.determined
         print_json(

@@ -33,9 +33,9 @@ def replay(arguments: Namespace) -> None:
         values["flatness_m"] = list(found.flatness)
         values["missing_targets"] = list(found.missing_targets)
         values["missing_lines"] = [line.name for line in found.missing_lines]
-        print_json(values | {"words": [*found.off_plan, *found.costs]})
+        print_json(values | {"words": [str(each) for each in (*found.off_plan, *found.costs)]})
         return
-    print(f"{'1 sigma, deg':32s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
+    print(f"{'standard deviation (deg)':32s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
     for name, *cells in found.rows:
         print(f"{name:32s}" + "".join(f"{cell:>9s}" for cell in cells))
     for sentence in found.words:

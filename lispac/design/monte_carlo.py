@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
-from lispac.adjustment.result import ANGLES
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.design.plan import Plan
@@ -14,10 +13,13 @@ from lispac.design.prediction import UNDETERMINED, predict
 from lispac.design.search import Mapper
 from lispac.design.simulated_plan import simulated
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
+from lispac.language import N_, Plural, gettext, number
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
+
+ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
 SURE = 3.0
 """Standard deviations of chance beyond which a share of intervals is not by chance."""
@@ -99,54 +101,78 @@ class Scatter:
 
     @property
     def rows(self) -> tuple[tuple[str, ...], ...]:
-        """What is shown of it: a name, and roll, pitch, yaw."""
+        """Rows of a table: a title, and values of roll, pitch and yaw."""
         return tuple(
-            (name, *(form.format(value) for value in values))
-            for name, form, values in (
-                ("scatter, deg", "{:.4f}", np.degrees(self.empirical)),
-                ("stated sigma, deg", "{:.4f}", np.degrees(self.stated)),
-                ("foretold sigma, deg", "{:.4f}", np.degrees(self.foretold)),
-                ("scatter / foretold", "{:.2f}", self.ratio),
-                ("its sigma", "{:.2f}", self.ratio * self.by_chance),
-                ("95 % intervals right", "{:.1f} %", 100.0 * self.hits),
-                ("mean error, deg", "{:+.4f}", np.degrees(self.bias)),
-                ("its sigma, deg", "{:.4f}", np.degrees(self.sigma_bias)),
+            (title, *(number(float(value), decimals, sign=sign) for value in values))
+            for title, values, decimals, sign in (
+                (gettext("scatter (deg)"), np.degrees(self.empirical), 4, False),
+                (gettext("stated σ (deg)"), np.degrees(self.stated), 4, False),
+                (gettext("predicted σ (deg)"), np.degrees(self.foretold), 4, False),
+                (gettext("scatter / predicted σ"), self.ratio, 2, False),
+                (gettext("σ of this ratio"), self.ratio * self.by_chance, 2, False),
+                (gettext("coverage (%)"), 100.0 * self.hits, 1, False),
+                (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
+                (gettext("σ of mean error"), np.degrees(self.sigma_bias), 4, False),
             )
         )
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What it comes to, in sentences."""
+        """Conclusions as sentences."""
         chance = np.sqrt(0.95 * 0.05 / len(self.errors))
-        said = [
-            f"The stated sigma of {angle} is too small: its 95 % interval holds the truth in "
-            f"{100 * share:.0f} % of the surveys."
-            for angle, share in zip(ANGLES, self.hits, strict=True)
+        names = tuple(map(gettext, ANGLE_NAMES))
+        found = [
+            gettext(
+                "The stated standard deviation of {angle} is too small: its 95 % interval contains "
+                "the truth in {share:percent.0} % of the surveys.",
+                angle=angle, share=share,
+            )
+            for angle, share in zip(names, self.hits, strict=True)
             if share < 0.95 - SURE * chance
-        ]
-        if not said:
-            said = [
-                f"As far as {len(self.errors):,} surveys can tell, the stated 95 % intervals hold "
-                "the truth as often as they should."
+        ]  # fmt: skip
+        if not found:
+            found = [
+                gettext(
+                    "The coverage of the stated 95 % intervals agrees with 95 % within what "
+                    "{count:n} surveys can show.",
+                    count=len(self.errors),
+                )
             ]
-        said += [
-            f"The mean error of {angle} is {np.degrees(mean):+.4f} deg, more than chance explains."
-            for angle, mean, sigma in zip(ANGLES, self.bias, self.sigma_bias, strict=True)
+        found += [
+            gettext(
+                "The mean error of {angle} is significant: {mean:deg.4+} deg.",
+                angle=angle, mean=mean,
+            )
+            for angle, mean, sigma in zip(names, self.bias, self.sigma_bias, strict=True)
             if abs(mean) > SURE * sigma
-        ]
+        ]  # fmt: skip
         low, high = self.chi_square_expected
-        verdict = "the errors are as large as foretold"
-        if self.chi_square > high:
-            verdict = "the errors are larger than foretold"
-        elif self.chi_square < low:
-            verdict = "the errors are smaller than foretold"
-        said.append(
-            f"Chi-square is {self.chi_square:,.0f}, where {low:,.0f} to {high:,.0f} is to be "
-            f"expected: {verdict}."
+        verdict = N_(
+            "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors agree with the "
+            "prediction."
         )
+        if self.chi_square > high:
+            verdict = N_(
+                "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are larger "
+                "than predicted."
+            )
+        elif self.chi_square < low:
+            verdict = N_(
+                "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors are smaller "
+                "than predicted."
+            )
+        found.append(gettext(verdict, value=self.chi_square, low=low, high=high))
         if self.failed:
-            said.append(f"{self.failed} surveys could not be adjusted and are left out.")
-        return tuple(said)
+            found.append(
+                gettext(
+                    Plural(
+                        "{count:n} survey could not be adjusted and is excluded.",
+                        "{count:n} surveys could not be adjusted and are excluded.",
+                    ),
+                    count=self.failed,
+                )
+            )
+        return tuple(found)
 
 
 def surveyed(

@@ -12,17 +12,18 @@ from numpy.typing import NDArray
 
 from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
+from lispac.language import N_
 
 Array = NDArray[np.float64]
 
 Criterion = Literal["largest", "roll", "pitch", "yaw", "A", "D"]
 CRITERIA: dict[Criterion, str] = {
-    "largest": "the largest of the three sigmas",
-    "roll": "the sigma of roll",
-    "pitch": "the sigma of pitch",
-    "yaw": "the sigma of yaw",
-    "A": "the root mean square of the three sigmas (A-optimality)",
-    "D": "the radius of a ball as large as the confidence ellipsoid (D-optimality)",
+    "largest": N_("largest of the three standard deviations"),
+    "roll": N_("standard deviation of roll"),
+    "pitch": N_("standard deviation of pitch"),
+    "yaw": N_("standard deviation of yaw"),
+    "A": N_("root mean square of the three standard deviations (A-optimality)"),
+    "D": N_("mean radius of the confidence ellipsoid (D-optimality)"),
 }
 
 BY_EYE = np.radians(10.0)

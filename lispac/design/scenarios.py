@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.stochastic import PosErrors
 from lispac.design.plan import SIX, Plan, System, pattern
 from lispac.design.prediction import predict
+from lispac.language import N_
 from lispac.progress import Progress, no_progress
 from lispac.simulation.closed_form import Board
 from lispac.simulation.pos_errors import PosErrorModel
@@ -50,11 +51,11 @@ SPEEDS = (0.5, 1.0, 2.0, 3.0, 4.0)
 GRADES: dict[str, PosErrorModel] = {
     name: PosErrorModel((level, level, 1.7 * level), tuple(np.radians(attitude)))
     for name, level, attitude in (
-        ("navigation, post-processed", 0.008, (0.005, 0.005, 0.008)),
-        ("survey, post-processed", 0.012, (0.008, 0.008, 0.012)),
-        ("survey, RTK", 0.020, (0.010, 0.010, 0.020)),
-        ("tactical, post-processed", 0.020, (0.015, 0.015, 0.035)),
-        ("tactical, RTK", 0.030, (0.025, 0.025, 0.080)),
+        (N_("navigation, post-processed"), 0.008, (0.005, 0.005, 0.008)),
+        (N_("survey, post-processed"), 0.012, (0.008, 0.008, 0.012)),
+        (N_("survey, RTK"), 0.020, (0.010, 0.010, 0.020)),
+        (N_("tactical, post-processed"), 0.020, (0.015, 0.015, 0.035)),
+        (N_("tactical, RTK"), 0.030, (0.025, 0.025, 0.080)),
     )
 }
 """Sigmas of north, east and up (metres) and of roll, pitch, heading: what data sheets state for
@@ -155,15 +156,15 @@ def grades(plan: Plan) -> list[Case]:
 
 
 SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
-    "lines": line_combinations,
-    "inclination": inclinations,
-    "size": sizes,
-    "targets": target_combinations,
-    "distance": distances,
-    "height": heights,
-    "repeats": repeats,
-    "speed": speeds,
-    "POS": grades,
+    N_("lines"): line_combinations,
+    N_("inclination"): inclinations,
+    N_("size"): sizes,
+    N_("targets"): target_combinations,
+    N_("distance"): distances,
+    N_("height"): heights,
+    N_("repeats"): repeats,
+    N_("speed"): speeds,
+    N_("POS"): grades,
 }
 OF_THE_THESIS = ("lines", "inclination", "size", "targets")
 """Scenarios that have the thesis's own boards and lines, whatever the plan's are."""

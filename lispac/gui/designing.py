@@ -13,13 +13,14 @@ from lispac.design.search import Design
 from lispac.errors import LispacError, ProjectError
 from lispac.gui.design import edits
 from lispac.gui.design.campaigns import all_scenarios, best_plan, simulated_surveys
-from lispac.gui.design.search import found_in_words
+from lispac.gui.design.search import Found
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels.histograms import preload
 from lispac.gui.tasks import TaskRunner
 from lispac.installed import home_folder
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.language import gettext, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress
 from lispac.workflow.designing import headline, write_field_plan
@@ -65,7 +66,9 @@ class Designing(QObject):
         chosen = self._dialogs.sensors_of_plan(self._main.settings)
         if chosen is None or chosen == (None, None):
             return
-        self.workspace.edit("sensors", edits.with_sensors(self.workspace.titled, *chosen))
+        self.workspace.edit(
+            gettext_lazy("Sensors"), edits.with_sensors(self.workspace.titled, *chosen)
+        )
 
     def open(self) -> None:
         """Show the window, in front."""
@@ -95,7 +98,9 @@ class Designing(QObject):
         self.runner.failed.connect(self._dialogs.show_error)
         self.paper.failed.connect(self._dialogs.show_error)
         window.results.following.failed.connect(self._dialogs.show_error)
-        self.runner.stopped.connect(lambda title: window.note(f"{title}: cancelled"))
+        self.runner.stopped.connect(
+            lambda title: window.note(gettext("{task}: cancelled", task=title))
+        )
         window.show_busy(False)
         return window
 
@@ -141,7 +146,7 @@ class Designing(QObject):
         self._path = path
         self.workspace.history.keep()
         self.workspace.changed.emit()
-        self._note(f"Saved {path}")
+        self._note(gettext("Saved {file}", file=str(path)))
         return True
 
     def write_page(self) -> None:
@@ -156,8 +161,9 @@ class Designing(QObject):
             return
         titled = self.workspace.titled
         self.paper.run(
-            "Writing the field plan", lambda _progress: write_field_plan(path, titled),
-            lambda _nothing: self._note(f"Wrote {path}"), lasting=True,
+            gettext("Writing the field plan"),
+            lambda _progress: write_field_plan(path, titled),
+            lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), lasting=True,
         )  # fmt: skip
 
     def read_site(self) -> None:
@@ -204,7 +210,7 @@ class Designing(QObject):
             window.pictures.show_outcomes(found)
             window.show_pictures()
 
-        self.runner.run("Scenarios", work, done)
+        self.runner.run(gettext("Scenarios"), work, done)
 
     def search(self) -> None:
         """Find the best plan in the background; it is one undo step."""
@@ -223,13 +229,14 @@ class Designing(QObject):
             return best_plan(site, objective, plans, before.plan, progress)
 
         def done(found: Design) -> None:
-            self.workspace.edit("best plan", TitledPlan(title, found.plan, site.wall))
+            best = TitledPlan(title, found.plan, site.wall)
+            self.workspace.edit(gettext_lazy("Best plan"), best)
             value = float(np.degrees(found.value))
-            panel.say(found_in_words(value, objective, found.looked_at, found.exact))
+            panel.show_found(Found(value, objective, found.looked_at, found.exact))
             window.pictures.show_front(found.front, CRITERIA[objective.criterion])
 
-        panel.say("")
-        self.runner.run("Finding the best plan", work, done)
+        panel.show_found(None)
+        self.runner.run(gettext("Searching for the best plan"), work, done)
 
     def surveys(self) -> None:
         """Simulate and adjust many surveys of the plan, in the background."""
@@ -247,13 +254,13 @@ class Designing(QObject):
 
         def done(found: Scatter) -> None:
             head = headline(titled.title, found, asked.surveys)
-            window.surveys.answer.show_rows(head, found.rows, found.words, titled.plan)
+            window.surveys.answer.show_result(head, found, titled.plan)
             window.surveys.answer.follow(self.workspace.titled.plan)
             window.pictures.show_errors(found)
             window.show_pictures()
 
         # Cancelled, it still has an answer where enough surveys were finished.
-        self.runner.run("Simulating surveys", work, done, lasting=True)
+        self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
 
     def compare(self) -> None:
         """Hold the survey of the main window against this plan."""
@@ -273,7 +280,7 @@ class Designing(QObject):
             return replay(project, loaded, titled)
 
         self.runner.run(
-            "Comparing with the survey", work,
+            gettext("Comparing with the survey"), work,
             lambda found: window.show_compared(found, project.name, titled),
         )  # fmt: skip
 

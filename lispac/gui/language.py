@@ -110,11 +110,11 @@ def _names(project: Project) -> Iterable[str]:
         yield target.name
 
 
-def local_number(figure: str) -> str:
-    """A figure in English notation as the user's language writes it."""
+def local_number(figure: str, *, sign: bool = False) -> str:
+    """A figure in English notation as the user's language writes it; ``sign`` for a plus too."""
     if "e" in figure:
         return figure
-    return number(float(figure.replace(",", "")), len(figure.partition(".")[2]))
+    return number(float(figure.replace(",", "")), len(figure.partition(".")[2]), sign=sign)
 
 
 def say(text: str) -> str:

@@ -49,6 +49,15 @@ TEXTS: Mapping[str, Template] = {
     "design.lines_too_close": N_(
         "No heading and distance keep {closest:m} m from the wall. Allow others."
     ),
+    "plan.line_through_wall": N_(
+        "Line {line:n} runs through the wall, up to {distance:m.1} m behind it. Move it farther "
+        "from the wall or change its heading."
+    ),
+    "plan.line_near_wall": N_(
+        "Line {line:n} comes within {distance:m.1} m of the wall. Move it farther from the wall or "
+        "change its heading."
+    ),
+    "plan.targets_overlap": N_("Targets {first} and {second} overlap. Move one of them."),
     "design.steps": N_(
         "From {low:x} to {high:x} in steps of {step:x}: the step must be above zero, and the "
         "second value not less than the first. Correct them."

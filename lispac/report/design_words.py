@@ -1,8 +1,9 @@
-"""Words of a plan's figures that a window needs before it draws one."""
+"""Names of the stochastic models in figures and forms of the survey design."""
 
 from lispac.adjustment.stochastic import PosErrors
+from lispac.language import N_
 
 NAMES: dict[PosErrors, str] = {
-    "correlated": "POS errors that drift",
-    "independent": "every point its own POS error (thesis)",
+    "correlated": N_("correlated POS errors"),
+    "independent": N_("uncorrelated POS errors (classical)"),
 }

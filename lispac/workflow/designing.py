@@ -1,4 +1,4 @@
-"""What is said of a plan, and the best plan of a site written for the field."""
+"""Checks of a plan, and files of a survey design."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -18,18 +18,19 @@ from lispac.design.site import Site, least_off, overlapping
 from lispac.errors import LispacError, RankDeficient
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
+from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
-from lispac.messages import error
+from lispac.messages import Message, error, warning
 from lispac.progress import Progress, no_progress
 
 ONE_WAY = error("plan_survey.one_orientation")
 
 NEAR_WALL = 3.0
-"""Metres: a vessel's half width, its helmsman and its wash want more."""
+"""Metres: smallest distance at which a vessel can pass a wall safely."""
 
 
 def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]:
-    """What the geometry of a plan sees, in sentences, as after an adjustment."""
+    """Observability of the angles of a plan, as after an adjustment."""
     try:
         if faces_one_way(plan):
             return (message_text(ONE_WAY),)
@@ -66,38 +67,36 @@ def many_surveys(
     )  # fmt: skip
 
 
-def headline(title: str, found: Scatter, asked: int) -> str:
-    """What was done of a campaign of so many surveys."""
+def headline(title: str, found: Scatter, count: int) -> LazyText:
+    """Heading of the result of ``count`` simulated surveys."""
     done = len(found.errors) + found.failed
-    if done < asked:
-        return f"{title}: cancelled after {done:,} of {asked:,} surveys"
-    return f"{title}: {done:,} surveys simulated and adjusted"
+    if done < count:
+        return gettext_lazy(
+            "{title}: cancelled after {done:n} of {count:n} surveys",
+            title=title, done=done, count=count,
+        )  # fmt: skip
+    return gettext_lazy("{title}: {done:n} surveys simulated and adjusted", title=title, done=done)
 
 
-def cautions(titled: TitledPlan) -> tuple[str, ...]:
-    """What of a plan cannot be done on the water or on the wall, in sentences."""
-    plan, said = titled.plan, []
+def cautions(titled: TitledPlan) -> tuple[Message, ...]:
+    """Warnings about lines and targets of a plan that cannot be realised."""
+    plan, found = titled.plan, []
     for k, off in enumerate(least_off(plan, titled.wall), start=1):
         if off < 0:
-            said.append(
-                f"Line {k} would run through the wall, to {-off:.1f} m behind it: sail it farther "
-                "off, or turn it."
-            )
+            found.append(warning("plan.line_through_wall", line=k, distance=float(-off)))
         elif off < NEAR_WALL:
-            said.append(
-                f"Line {k} comes within {off:.1f} m of the wall where it is straight: sail it "
-                "farther off, or turn it."
-            )
+            found.append(warning("plan.line_near_wall", line=k, distance=float(off)))
     for one, other in overlapping(plan.targets):
-        said.append(f"{one} and {other} hang over each other: move one of them.")
-    return tuple(said)
+        found.append(warning("plan.targets_overlap", first=one, second=other))
+    return tuple(found)
 
 
 def write_field_plan(path: Path, titled: TitledPlan) -> None:
     """Write the page for the field as PDF."""
     from lispac.report.field_plan import field_plan
 
-    page = field_plan(titled.plan, titled.wall, titled.title, cautions=cautions(titled))
+    texts = tuple(map(message_text, cautions(titled)))
+    page = field_plan(titled.plan, titled.wall, titled.title, cautions=texts)
     with written_whole(Path(path)) as temporary:
         page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
 

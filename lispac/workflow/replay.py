@@ -1,15 +1,15 @@
-"""A survey against the plan it was sailed by: what was foretold, what came, what was missing."""
+"""Comparison of a survey with its plan: predicted and obtained precision, deviations."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.result import ANGLES
 from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.errors import ProjectError
 from lispac.io.plan_file import TitledPlan
+from lispac.language import N_, LazyText, gettext, gettext_lazy, number
 from lispac.messages import error
 from lispac.project import Project
 from lispac.simulation.closed_form import Ball, Board, Course, abeam
@@ -25,7 +25,7 @@ OFF_METRES, OFF_SHARE = 2.0, 0.2
 """A line that was sailed farther or nearer by more, metres and share of its distance, is named."""
 
 
-LEFT_OPEN = "What was sailed of the plan does not determine the boresight, as far as is foretold."
+ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,10 +46,10 @@ class Replay:
         Of the targets, as planned and as found.
     missing_targets : tuple of str
     missing_lines : tuple of Line
-    off_plan : tuple of str
-        Lines that were sailed at another distance, in sentences.
-    costs : tuple of str
-        What each that is missing cost, in sentences.
+    off_plan : tuple of LazyText
+        Lines that were surveyed at another distance.
+    costs : tuple of LazyText
+        Loss of precision by each line or target that is missing.
     """
 
     planned: Array
@@ -59,30 +59,38 @@ class Replay:
     flatness: tuple[float, float]
     missing_targets: tuple[str, ...]
     missing_lines: tuple[Line, ...]
-    off_plan: tuple[str, ...]
-    costs: tuple[str, ...]
+    off_plan: tuple[LazyText, ...]
+    costs: tuple[LazyText, ...]
 
     @property
     def rows(self) -> tuple[tuple[str, ...], ...]:
-        """What is shown of it: a name, and roll, pitch, yaw; 1 sigma, degrees, and their ratio."""
+        """Rows of a table: a title, and values of roll, pitch and yaw; degrees, or a ratio."""
         ratio = self.obtained / self.as_flat
         return (
-            ("the plan, foretold", *_cells(np.degrees(self.planned), 4)),
-            ("what was sailed of it", *_cells(np.degrees(self.sailed), 4)),
-            ("with targets as flat as found", *_cells(np.degrees(self.as_flat), 4)),
-            ("stated by the adjustment", *_cells(np.degrees(self.obtained), 4)),
-            ("stated over foretold", *_cells(np.where(ratio > 0, ratio, np.inf), 2)),
+            (gettext("predicted for the plan"), *_cells(np.degrees(self.planned), 4)),
+            (gettext("predicted, as surveyed"), *_cells(np.degrees(self.sailed), 4)),
+            (gettext("with estimated form error"), *_cells(np.degrees(self.as_flat), 4)),
+            (gettext("stated by the adjustment"), *_cells(np.degrees(self.obtained), 4)),
+            (gettext("stated / predicted"), *_cells(np.where(ratio > 0, ratio, np.inf), 2)),
         )
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What was different from the plan, and what it cost, in sentences."""
-        planned, came = (1000 * value for value in self.flatness)
-        said = () if np.isfinite(self.sailed).all() else (LEFT_OPEN,)
-        flat = (
-            f"Targets were planned to be flat to {planned:.2f} mm; the survey found {came:.2f} mm."
+        """Deviations from the plan and their effect, as sentences."""
+        planned, estimated = self.flatness
+        found = []
+        if not np.isfinite(self.sailed).all():
+            found.append(gettext("The part of the plan that was surveyed does not determine the "
+                                 "boresight angles."))  # fmt: skip
+        found.append(
+            gettext(
+                "Form error of the targets: {planned:mm.2} mm planned, {estimated:mm.2} mm "
+                "estimated.",
+                planned=planned,
+                estimated=estimated,
+            )
         )
-        return (*said, flat, *self.off_plan, *self.costs)
+        return (*found, *map(str, self.off_plan), *map(str, self.costs))
 
 
 def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
@@ -114,14 +122,15 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
     sailed = predict(kept).sigma
     found_flatness = float(result.surfaces[0])
     costs = [
-        _cost(f"Line {k + 1} ({plan.lines[k].name})", "sailed", kept.with_lines(
+        _cost(gettext_lazy("Line {line:n} ({heading}) was not surveyed.", line=k + 1,
+                           heading=plan.lines[k].name), kept.with_lines(
             [sailed_as.get(j, line) for j, line in enumerate(plan.lines)
              if j in sailed_as or j == k]
         ), sailed)
         for k in unsailed
     ]  # fmt: skip
     costs += [
-        _cost(f"Target {name}", "used", kept.with_targets(
+        _cost(gettext_lazy("Target {target} was not used.", target=name), kept.with_targets(
             [t for t in plan.targets if t.name not in missing_targets or t.name == name]
         ), sailed)
         for name in missing_targets
@@ -135,7 +144,12 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
         missing_targets,
         tuple(plan.lines[k] for k in unsailed),
         tuple(
-            f"Line {k + 1} ({plan.lines[k].name}) was sailed at {line.distance:.0f} m."
+            gettext_lazy(
+                "Line {line:n} ({heading}) was surveyed at {distance:m.0} m.",
+                line=k + 1,
+                heading=plan.lines[k].name,
+                distance=line.distance,
+            )
             for k, line in sorted(sailed_as.items())
             if abs(line.distance - plan.lines[k].distance)
             > max(OFF_METRES, OFF_SHARE * plan.lines[k].distance)
@@ -145,8 +159,8 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
 
 
 def _cells(values: Array, decimals: int) -> tuple[str, str, str]:
-    """Roll, pitch, yaw; a dash for what is not determined."""
-    a, b, c = (f"{v:.{decimals}f}" if np.isfinite(v) else "–" for v in values)
+    """Roll, pitch and yaw as texts; a dash for what is not determined."""
+    a, b, c = (number(float(v), decimals) if np.isfinite(v) else "–" for v in values)
     return a, b, c
 
 
@@ -202,16 +216,21 @@ def _farther(plan: Plan, target: Board | Ball, course: Course, measured: float) 
     return float(np.sqrt(max(measured**2 - ray[2] ** 2, 0.0)) - planned)
 
 
-def _cost(what: str, verb: str, with_it: Plan, without: Array) -> str:
+def _cost(missing: LazyText, with_it: Plan, without: Array) -> LazyText:
+    """Text on the precision with the missing line or target."""
     found = predict(with_it)
     if not np.isfinite(without).all():
-        told = (
-            "with it the boresight would be determined" if found.determined else "more is missing"
+        if not found.determined:
+            return missing
+        return gettext_lazy(
+            "{missing} With it the boresight angles would be determined.", missing=missing
         )
-        return f"{what} was not {verb}; {told}."
-    gain = found.sigma / without
-    k = int(np.argmin(gain))
-    return (
-        f"{what} was not {verb}: with it the sigma of {ANGLES[k]} would be "
-        f"{np.degrees(found.sigma[k]):.4f} instead of {np.degrees(without[k]):.4f} deg."
+    k = int(np.argmin(found.sigma / without))
+    return gettext_lazy(
+        "{missing} With it the standard deviation of {angle} would be {sigma:deg.4} deg instead of "
+        "{without:deg.4} deg.",
+        missing=missing,
+        angle=LazyText(ANGLE_NAMES[k], {}),
+        sigma=float(found.sigma[k]),
+        without=float(without[k]),
     )

@@ -5,8 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.design.objective import Objective
+from lispac.gui.design.search import Found
 from lispac.gui.design.window import DesignWindow
-from lispac.gui.language import say
+from lispac.language import gettext, gettext_lazy
 from tests.gui.by_hand import Hands, choose, open_menu
 from tests.gui.design_support import followed, opened_by_keys, plan
 from tests.gui.support import WAIT_MS, Control, Key, Left, in_front
@@ -59,8 +61,8 @@ def test_a_plan_stays_open_in_another_language_and_other_looks(
     design.resize(1300, 800)
 
     french = by_menu(hands, "View", "Langue", "ran")
-    assert french.windowTitle() == say("Site[*] – design of a site – LISPAC")
-    assert "étalonnage" in french.windowTitle()
+    assert french.windowTitle() == f"Site[*] – {gettext('Survey design')} – LISPAC"
+    assert "levé" in french.windowTitle()
     assert french.isWindowModified()
     assert french.workspace.titled is edited
     assert (french.tabs.currentIndex(), french.views.currentIndex()) == (3, 1)
@@ -86,22 +88,24 @@ def test_a_plan_stays_open_in_another_language_and_other_looks(
 
 def test_answers_about_a_plan_stay(hands: Hands) -> None:
     design = opened_by_keys(hands)
-    rows = [["sigma", "0.001", "0.002", "0.003"]]
-    design.surveys.answer.show_rows("Simulated", rows, ["All of them hold."], plan(design))
-    design.pictures.show_errors(surveyed_once())
-    design.search.say("The best plan is shown; undo goes back to the one before.")
+    found = surveyed_once()
+    head = gettext_lazy("Simulate surveys")
+    design.surveys.answer.show_result(head, found, plan(design))
+    design.pictures.show_errors(found)
+    design.search.show_found(Found(0.0363, Objective(), 250, all_evaluated=True))
     hands.bot.keyClick(design, Key.Key_L, Control)
 
     dark = by_menu(hands, "View", "heme", "Dark")
     answer = dark.surveys.answer
-    assert answer.head.text() == "Simulated"
-    assert answer.cells[1:] == rows
+    assert answer.head.text() == str(head)
+    assert [row[0] for row in answer.cells[1:]] == [row[0] for row in found.rows]
     assert answer.stale.isVisibleTo(dark.surveys)  # of the plan before
     assert dark.pictures.which.count() == 1
     turn_to(hands, dark.views, 2)
     figure = dark.pictures.pages.currentWidget().figure
     hands.bot.waitUntil(lambda: len(figure.axes) == 3, timeout=WAIT_MS)
-    assert dark.search.said.text().startswith("The best plan is shown")
+    assert "0.0363" in dark.search.said.text()
+    assert "250" in dark.search.said.text()
 
 
 def test_a_plan_whose_window_is_closed_stays_too(hands: Hands) -> None:

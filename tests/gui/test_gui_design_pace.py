@@ -9,6 +9,8 @@ from lispac.design.objective import Objective
 from lispac.design.search import worth
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
+from lispac.message_texts import message_text
+from lispac.workflow.designing import cautions
 from tests.gui.design_support import NoModifier, followed, foretold, mouse_move, plan, shown
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
@@ -90,13 +92,16 @@ def test_what_cannot_be_sailed_or_hung_is_said(driver: Driver, design: DesignWin
     assert plan(design).lines[3].distance == 5.0
     # Abeam of the middle the line is 5 cos 45 = 3.54 m off the wall; it is straight up to 5 m
     # beyond its last target, 0.8 cos 45 m farther on: 5.57 cos 45 = 3.94 m nearer.
-    assert said.text() == (
-        "Line 4 would run through the wall, to 0.4 m behind it: sail it farther off, or turn it."
-    )
+    (found,) = cautions(design.workspace.titled)
+    assert (found.code, found.params["line"]) == ("plan.line_through_wall", 4)
+    assert said.text() == message_text(found)
+    assert "0.4 m" in said.text()
     driver.bot.keyClick(design, Key.Key_Z, Control)
     assert not said.isVisible()
     wall = design.wall_view
     wall.setFocus()
     for _ in range(10):
         driver.bot.keyClick(wall, Key.Key_Right)
-    assert said.text() == "T1 and T2 hang over each other: move one of them."
+    (found,) = cautions(design.workspace.titled)
+    assert found.code == "plan.targets_overlap"
+    assert said.text() == message_text(found)

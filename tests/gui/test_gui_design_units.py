@@ -38,7 +38,7 @@ def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) ->
     assert LINE["speed"].read("3") == pytest.approx(3 * FOOT)
     assert LINE["heading"].read("50") == 50.0
     assert TARGET["flatness"].read("0.002") == pytest.approx(0.6096)  # millimetres
-    assert TARGET["flatness"].said(0.6096) == "0.0020"
+    assert TARGET["flatness"].shown(0.6096) == "0.0020"
 
 
 def test_an_end_of_a_range_may_be_typed_as_it_is_said(qapp: QApplication) -> None:

@@ -1,23 +1,36 @@
-"""Rows of numbers under roll, pitch and yaw, and sentences: what a campaign or a survey gave."""
+"""Table of roll, pitch and yaw with remarks: result of simulated surveys or of a comparison."""
 
 from collections.abc import Sequence
+from typing import Protocol
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
-from lispac.adjustment.result import ANGLES
 from lispac.design.plan import Plan
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import N_, LazyText, gettext
 
-Rows = tuple[str, Sequence[Sequence[str]], Sequence[str], Plan]
-"""What is shown: heading, rows, sentences, and the plan it is of."""
-EARLIER = "The plan has been changed since: this is of the plan as it was."
+OUT_OF_DATE = N_("Out of date: the plan was changed after this result.")
+
+
+ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
+
+
+class Result(Protocol):
+    """Result with rows of a title and three values, and remarks, in the language in use."""
+
+    @property
+    def rows(self) -> Sequence[Sequence[str]]:
+        """Title, roll, pitch and yaw of each row."""
+
+    @property
+    def words(self) -> Sequence[str]:
+        """Remarks."""
 
 
 class AnglesTable(QWidget):
-    """Empty, with a hint what to do, until something is shown."""
+    """Shows a hint until there is a result."""
 
     def __init__(self, name: str, hint: str) -> None:
         super().__init__()
@@ -30,51 +43,50 @@ class AnglesTable(QWidget):
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(18)
         self._grid.setVerticalSpacing(3)
-        self._grid.setColumnStretch(len(ANGLES) + 1, 1)
+        self._grid.setColumnStretch(len(ANGLE_NAMES) + 1, 1)
         layout.addWidget(self.head)
         layout.addWidget(self.hint)
         layout.addLayout(self._grid)
         layout.addWidget(self.words)
         layout.addStretch(1)
-        self.stale = widgets.label(EARLIER, "warning", wrap=True, name=f"{name}_stale")
+        self.stale = widgets.label(gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_stale")
         layout.insertWidget(1, self.stale)
         for each in (self.head, self.stale, self.words):
             each.hide()
         self._plan: Plan | None = None
-        self._rows: Rows | None = None
+        self._shown: tuple[LazyText, Result, Plan] | None = None
 
     def follow(self, plan: Plan) -> None:
-        """Say of an answer that it is not this plan's."""
+        """Mark the result as out of date where it is of another plan."""
         self.stale.setVisible(self._plan is not None and self._plan is not plan)
 
-    def show_rows(
-        self, head: str, rows: Sequence[Sequence[str]], words: Sequence[str], plan: Plan
-    ) -> None:
-        """Show an answer for a plan in place of the one before."""
+    def show_result(self, head: LazyText, result: Result, plan: Plan) -> None:
+        """Show the result for a plan."""
         self._clear()
-        self._plan, self._rows = plan, (head, rows, words, plan)
-        self.head.setText(say(head))
-        for row, (name, *cells) in enumerate([("", *ANGLES), *rows]):
+        self._plan, self._shown = plan, (head, result, plan)
+        self.head.setText(str(head))
+        angles = tuple(map(gettext, ANGLE_NAMES))
+        for row, (name, *cells) in enumerate([("", *angles), *result.rows]):
             self._grid.addWidget(widgets.label(name, "muted"), row, 0)
-            for column, (angle, cell) in enumerate(zip(ANGLES, cells, strict=True), start=1):
+            for column, (angle, cell) in enumerate(zip(angles, cells, strict=True), start=1):
                 shown = widgets.label(cell.replace("-", "−"), "" if row else "muted")
                 shown.setFont(theme.tabular(shown.font()))
                 if row:
-                    shown.setAccessibleName(f"{say(name)}, {say(angle)}")
+                    shown.setAccessibleName(f"{name}, {angle}")
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-        self.words.setText(say("\n".join(words)))
+        self.words.setText("\n".join(result.words))
         self.hint.hide()
         for each in (self.head, self.words):
             each.show()
 
     def take_over(self, former: "AnglesTable") -> None:
-        """Show what another one shows, where it does."""
-        if former._rows is not None:
-            self.show_rows(*former._rows)
+        """Show the result of another table."""
+        if former._shown is not None:
+            self.show_result(*former._shown)
 
     @property
     def cells(self) -> list[list[str]]:
-        """What is shown, row by row, names first."""
+        """Texts of the cells, row by row, with their titles."""
         found: dict[int, list[str]] = {}
         for k in range(self._grid.count()):
             row = self._grid.getItemPosition(k)[0]

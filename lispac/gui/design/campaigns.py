@@ -1,4 +1,4 @@
-"""Long work on a plan: search, scenarios and simulated surveys, in the background."""
+"""Long computations on a plan: search, scenarios and simulated surveys."""
 
 import os
 import time
@@ -16,6 +16,7 @@ from lispac.design.scenarios import (
 from lispac.design.search import Design, Mapper, search
 from lispac.design.site import Site
 from lispac.gui.design.surveys import Asked
+from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.workflow.campaign import pool_of
 from lispac.workflow.designing import many_surveys
@@ -25,14 +26,14 @@ FEW = 600
 
 
 class Rated:
-    """A mapper that counts what comes back, and a progress that tells the rate."""
+    """A mapper that counts its results, and a progress that shows their rate."""
 
-    def __init__(self, mapper: Mapper, progress: Progress, rate: str = "{:,.0f} plans/s") -> None:
+    def __init__(self, mapper: Mapper, progress: Progress, rate: str) -> None:
         self._mapper, self._progress, self._rate = mapper, progress, rate
         self._count, self._began = 0, time.monotonic()
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
-        """The answers in order."""
+        """Results in order."""
         for value in self._mapper(function, values):
             self._count += 1
             if self._count % 10 == 0:  # asked for the cancel flag between reports as well
@@ -42,12 +43,14 @@ class Rated:
     _fraction = 0.0
 
     def progress(self, fraction: float, message: str = "") -> None:
-        """Tell how far it is, and how many a second."""
+        """Report the progress with the rate."""
         self._fraction = fraction
         elapsed = time.monotonic() - self._began
         known = elapsed > 0.5 and self._count
-        rate = f", {self._rate.format(self._count / elapsed)}" if known else ""
-        self._progress(fraction, f"{message}{rate}" if message else "")
+        if message and known:
+            rate = gettext(self._rate, rate=self._count / elapsed)
+            message = gettext("{message}, {rate}", message=message, rate=rate)
+        self._progress(fraction, message)
 
 
 def best_plan(
@@ -55,9 +58,9 @@ def best_plan(
 ) -> Design:
     """The best plan of a site, on all cores where there are many to look at."""
     workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
-    progress(0.0, "Starting the search")
+    progress(0.0, gettext("Starting the search"))
     with pool_of(workers) as mapper:
-        rated = Rated(mapper, progress)
+        rated = Rated(mapper, progress, N_("{rate:x} plans/s"))
         return search(
             site, objective, plans=plans, start=start, mapper=rated.map, progress=rated.progress
         )
@@ -70,9 +73,9 @@ def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
 
 def simulated_surveys(plan: Plan, asked: Asked, progress: Progress) -> Scatter:
     """Many surveys of a plan, on all cores; cancelled, those that are finished if enough are."""
-    progress(0.0, "Starting the surveys")
+    progress(0.0, gettext("Starting the surveys"))
     with pool_of(os.cpu_count() or 1, at_once=1) as mapper:
-        rated = Rated(mapper, progress, "{:.1f} surveys/s")
+        rated = Rated(mapper, progress, N_("{rate:x.1} surveys/s"))
         return many_surveys(
             plan, asked.surveys, seed=asked.seed, flatness_known=asked.flatness_known,
             enough=ENOUGH, mapper=rated.map, progress=rated.progress,

@@ -1,4 +1,4 @@
-"""A drawing to scale in which things are dragged; the plan view and the wall are two of them."""
+"""A drawing to scale with objects that can be dragged: base of the plan view and the wall view."""
 
 from abc import abstractmethod
 
@@ -10,8 +10,9 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
+from lispac.gui.language import local_number
 from lispac.io.plan_file import TitledPlan
+from lispac.language import LazyText
 
 Array = NDArray[np.float64]
 
@@ -29,13 +30,16 @@ class Canvas(QWidget):
 
     Parameters
     ----------
-    axes : what is across, and what is up
+    title : str
+        Accessible name.
+    axes : tuple of str
+        Labels of the horizontal and the vertical axis, with their unit.
     """
 
     def __init__(self, name: str, title: str, workspace: Workspace, axes: tuple[str, str]) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(say(title))
+        self.setAccessibleName(title)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setMinimumSize(240, 180)
@@ -55,13 +59,13 @@ class Canvas(QWidget):
             self._release()
         self.update()
 
-    def _release(self) -> str:
-        """Let go; words of the undo step."""
+    def _release(self) -> LazyText:
+        """End the drag; name of the undo step."""
         self._frozen = None
         return self.dropped()
 
     def hideEvent(self, event) -> None:
-        """Let go of what is held, and give the drag up."""
+        """Cancel the drag."""
         if self._frozen is not None:
             self._release()
             self.workspace.give_up()
@@ -130,24 +134,24 @@ class Canvas(QWidget):
         font = theme.tabular(self.font())
         font.setPixelSize(10)
         painter.setFont(font)
-        across, up = (units.signs(say(axis), "m", figures=False) for axis in self._axes)
+        across, up = self._axes
         clear = self.width() - painter.fontMetrics().horizontalAdvance(across) - 30
         for axis in (0, 1):
             for k in range(int(np.ceil(low[axis] / step)), int(np.floor(high[axis] / step)) + 1):
                 at = np.array([k * step, k * step])
                 spot = self.pixel(at)
                 painter.setPen(QPen(QColor(theme.GRID), 1))
-                said = f"{k * shown:g}".replace("-", "−")
+                figure = local_number(f"{k * shown:g}").replace("-", "−")
                 if axis == 0:
                     painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
                     painter.setPen(QColor(theme.MUTED))
                     if 26 < spot.x() < clear:
-                        painter.drawText(QPointF(spot.x() + 2, self.height() - 4), say(said))
+                        painter.drawText(QPointF(spot.x() + 2, self.height() - 4), figure)
                 else:
                     painter.drawLine(QPointF(0, spot.y()), QPointF(self.width(), spot.y()))
                     painter.setPen(QColor(theme.MUTED))
                     if 26 < spot.y() < self.height() - 18:
-                        painter.drawText(QPointF(4, spot.y() - 2), say(said))
+                        painter.drawText(QPointF(4, spot.y() - 2), figure)
         painter.setPen(QColor(theme.MUTED))
         corner = QRectF(0, self.height() - 17, self.width() - 4, 15)
         painter.drawText(corner, Qt.AlignmentFlag.AlignRight, across)
@@ -175,8 +179,8 @@ class Canvas(QWidget):
         """Move what was taken; ``free`` does not snap."""
 
     @abstractmethod
-    def dropped(self) -> str:
-        """Words of the undo step, and let go."""
+    def dropped(self) -> LazyText:
+        """Release the object; name of the undo step."""
 
     @abstractmethod
     def key(self, key: Qt.Key, free: bool) -> bool:

@@ -1,4 +1,4 @@
-"""What follows from a plan, computed beside the window: the sigmas at once, the rest later."""
+"""Prediction in the background: standard deviations at once, the rest after a pause."""
 
 from dataclasses import dataclass
 
@@ -8,6 +8,7 @@ from lispac.gui.design import edits, told
 from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import gettext
 from lispac.progress import Progress
 
 PAUSE_MS = 250
@@ -18,12 +19,14 @@ LATE_MS = 400
 
 @dataclass(frozen=True, eq=False)
 class Said:
-    """What takes longer than sigmas.
+    """Results that take longer than the standard deviations.
 
     Attributes
     ----------
-    sentences : what the geometry sees
-    thesis : the thesis's plan on this wall, with this system
+    sentences : tuple of str
+        Observability of the angles.
+    thesis : Told
+        Plan of the thesis on this wall, with this system.
     """
 
     sentences: tuple[str, ...]
@@ -99,7 +102,12 @@ class Following(QObject):
     def _foretell(self) -> None:
         self._foretelling = True
         plan = self._titled.plan
-        self._runner.run("Foretelling", lambda _progress: Told.of(plan), self._tell, quiet=True)
+        self._runner.run(
+            gettext("Predicting the precision"),
+            lambda _progress: Told.of(plan),
+            self._tell,
+            quiet=True,
+        )
 
     def _tell(self, found: Told) -> None:
         self._foretelling = False
@@ -122,7 +130,7 @@ class Following(QObject):
             self.said.emit(found)
             self._weigh()
 
-        self._slow = self._runner.run("Looking at this plan", work, done, quiet=True)
+        self._slow = self._runner.run(gettext("Checking the plan"), work, done, quiet=True)
 
     def _weigh(self) -> None:
         plan = self._titled.plan
@@ -132,7 +140,10 @@ class Following(QObject):
             self.weighed.emit(found)
 
         self._slow = self._runner.run(
-            "Weighing", lambda progress: told.worths(plan, progress), done, quiet=True
+            gettext("Computing the information gain"),
+            lambda progress: told.worths(plan, progress),
+            done,
+            quiet=True,
         )
 
     def _fail(self, error: BaseException) -> None:

@@ -1,14 +1,16 @@
-"""States one after the other, to go back and forth between; knows no window."""
+"""Undo history of a plan."""
 
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
+
+from lispac.language import LazyText
 
 State = TypeVar("State")
 
 
 @dataclass(eq=False)
 class History(Generic[State]):
-    """What was, what is and what was taken back.
+    """Present state, the states before it and those that were undone.
 
     Attributes
     ----------
@@ -16,49 +18,55 @@ class History(Generic[State]):
     """
 
     now: State
-    _before: list[tuple[str, State]] = field(default_factory=list)
-    _after: list[tuple[str, State]] = field(default_factory=list)
+    _before: list[tuple[LazyText, State]] = field(default_factory=list)
+    _after: list[tuple[LazyText, State]] = field(default_factory=list)
     _key: str = ""
     _saved: State | None = None
 
     def __post_init__(self) -> None:
         self._saved = self.now
 
-    def push(self, words: str, state: State, key: str = "") -> None:
-        """A new state; one of the same ``key`` as the last takes its place."""
+    def push(self, edit: LazyText, state: State, key: str = "") -> None:
+        """Make a state the present one; edits of the same ``key`` in a row are one undo step.
+
+        Parameters
+        ----------
+        edit : LazyText
+            Name of the edit that led to it.
+        """
         if not (key and key == self._key and self._before):
-            self._before.append((words, self.now))
+            self._before.append((edit, self.now))
         self._after, self._key, self.now = [], key, state
 
     def undo(self) -> None:
-        """Go one step back, where there is one."""
+        """Go back one step if there is one."""
         if self._before:
-            words, state = self._before.pop()
-            self._after.append((words, self.now))
+            edit, state = self._before.pop()
+            self._after.append((edit, self.now))
             self.now, self._key = state, ""
 
     def redo(self) -> None:
-        """Go one step forth again, where there is one."""
+        """Repeat the step that was undone if there is one."""
         if self._after:
-            words, state = self._after.pop()
-            self._before.append((words, self.now))
+            edit, state = self._after.pop()
+            self._before.append((edit, self.now))
             self.now, self._key = state, ""
 
     def keep(self) -> None:
-        """The present state is on the disk; what comes is a step of its own."""
+        """Mark the present state as saved; the next edit is a step of its own."""
         self._saved, self._key = self.now, ""
 
     @property
     def changed(self) -> bool:
-        """Whether the present state is another than the one on the disk."""
+        """Whether the present state differs from the saved one."""
         return self.now is not self._saved
 
     @property
-    def to_undo(self) -> str:
-        """What would be taken back; empty where nothing is."""
-        return self._before[-1][0] if self._before else ""
+    def to_undo(self) -> LazyText | None:
+        """Name of the edit that `undo` would revert; None where there is none."""
+        return self._before[-1][0] if self._before else None
 
     @property
-    def to_redo(self) -> str:
-        """What would be made again; empty where nothing is."""
-        return self._after[-1][0] if self._after else ""
+    def to_redo(self) -> LazyText | None:
+        """Name of the edit that `redo` would repeat; None where there is none."""
+        return self._after[-1][0] if self._after else None

@@ -1,4 +1,4 @@
-"""What a search may choose from, in a form: a list of numbers in each field."""
+"""Form of the limits of a search, with lists of numbers."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -9,21 +9,23 @@ from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui import units
-from lispac.gui.language import local_number, say
+from lispac.gui.language import local_number
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
 from lispac.io.plan_file import TitledPlan
+from lispac.language import N_, gettext
 from lispac.messages import error
 
 # name of the site's field: (label, unit, low, high, tip)
 LISTS = {
-    "along": ("Boards along", "m", -500.0, 500.0, "Where boards may hang, to the right"),
-    "heights": ("Boards up", "m", -50.0, 200.0, "Heights of boards above the POS"),
-    "inclinations_deg": ("From level", "deg", 0.0, 180.0,
-                         "Inclinations: 90 upright, less leans back, more forward"),
-    "headings_deg": ("Headings", "deg", -360.0, 360.0, "That may be sailed"),
-    "distances": ("Distances", "m", 1.0, 200.0, "At which a line may pass the site"),
+    "along": (N_("Boards along wall"), "m", -500.0, 500.0,
+              N_("Positions of boards along the wall, positive to the right")),
+    "heights": (N_("Board heights"), "m", -50.0, 200.0, N_("Heights of boards above the POS")),
+    "inclinations_deg": (N_("Inclinations"), "deg", 0.0, 180.0,
+                         N_("Inclinations: 90 is vertical, less leans back, more leans forward")),
+    "headings_deg": (N_("Headings"), "deg", -360.0, 360.0, N_("Headings of the lines")),
+    "distances": (N_("Distances"), "m", 1.0, 200.0, N_("Distances of the lines from the site")),
 }  # fmt: skip
 LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Degrees from level, as in the site files that come with the program."""
@@ -32,14 +34,14 @@ LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
 def numbers_of(
     text: str, what: str, unit: str, low: float, high: float, decimal: str = "."
 ) -> tuple[float, ...]:
-    """A list of numbers as it is typed in the unit shown: apart by semicolons, blanks, or commas.
+    """Numbers of a typed list, in the base unit; separated by semicolons, blanks or commas.
 
-    A comma between digits is a decimal sign where the user's language has it as such.
+    A comma is a decimal sign where it is one in the user's language.
 
     Raises
     ------
     InputError
-        Something else stands there, or it is out of range.
+        Where something is not a number, or out of range.
     """
     text = text.replace(";", " ").replace("−", "-")
     base = BASES.get(f" {unit}")
@@ -48,20 +50,20 @@ def numbers_of(
         shown, factor = units.unit(base).sign, units.unit(base).factor
     parts = text.replace(",", " " if decimal == "." else ".").split()
     if not parts:
-        raise InputError(error("window.no_numbers", field=say(what), unit=shown))
+        raise InputError(error("window.no_numbers", field=what, unit=shown))
     found = []
     for part in parts:
         try:
             typed = float(part)
         except ValueError:
             raise InputError(
-                error("window.not_a_number_in", field=say(what), text=part, unit=shown)
+                error("window.not_a_number_in", field=what, text=part, unit=shown)
             ) from None
         value = units.ended(typed / factor, base, low, high)
         if not low <= value <= high:
             raise InputError(
                 error(
-                    "window.out_of_range", field=say(what), text=local_number(f"{typed:g}"),
+                    "window.out_of_range", field=what, text=local_number(f"{typed:g}"),
                     low=local_number(_end(low, base)), high=local_number(_end(high, base)),
                     unit=shown,
                 )
@@ -71,7 +73,7 @@ def numbers_of(
 
 
 class LimitsForm(QWidget):
-    """The limits of a site; what a site file says besides stays as it is there."""
+    """Limits of a site; other values of a site file are kept."""
 
     changed = Signal()
 
@@ -80,58 +82,72 @@ class LimitsForm(QWidget):
         self._file: tuple[str, Site] | None = None
         self.lists: dict[str, QLineEdit] = {}
         self._values: dict[str, tuple[float, ...] | None] = {}
-        """What is typed; none where that is no list of numbers."""
+        """Values of each list; None where the text is not a list of numbers."""
         self._filled = {name: ("", ()) for name in LISTS}
-        """What was filled in, with all its digits, which stands as long as nothing is typed."""
-        self.boards = _whole("limit_boards", 0, 6, 2, "Boards that are hung")
-        self.lines = _whole("limit_lines", 2, 12, 6, "Lines that are sailed")
+        """Text that was filled in and its values with all digits, until something is typed."""
+        self.boards = _whole("limit_boards", 0, 6, 2, gettext("Number of boards"))
+        self.lines = _whole("limit_lines", 2, 12, 6, gettext("Number of lines"))
         self.closest = widgets.number(
             "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5,
-            tip="No line comes nearer to the wall than this", ranged=True,
+            tip=gettext("Minimum distance of a line from the wall"), ranged=True,
         )  # fmt: skip
         self.minutes = widgets.number(
             "limit_minutes", suffix=" min", decimals=0, low=1.0, high=1440.0, step=5.0,
-            tip="Time on site for lines", ranged=True,
+            tip=gettext("Time available for the lines"), ranged=True,
         )  # fmt: skip
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
         for label, field in (
-            ("Boards", self.boards), ("Lines", self.lines), ("Off the wall", self.closest),
-            ("Time on site", self.minutes),
+            (gettext("Boards"), self.boards), (gettext("Lines"), self.lines),
+            (gettext("Minimum distance"), self.closest), (gettext("Time on site"), self.minutes),
         ):  # fmt: skip
-            form.addRow(say(label), field)
+            form.addRow(label, field)
             field.valueChanged.connect(lambda _value: self.changed.emit())
         for name, (label, unit, low, high, tip) in LISTS.items():
             field = QLineEdit()
             field.setObjectName(f"limit_{name}")
             base = BASES.get(f" {unit}")
-            told = say(f"{tip}; a list of numbers, {_ends(low, high, base)} {unit}")
-            field.setAccessibleName(_in_units(say(f"{label}, {unit}"), base))
-            field.setToolTip(told if base is None else units.signs(told, base))
+            shown = unit if base is None else units.unit(base).sign
+            field.setAccessibleName(f"{gettext(label)}, {shown}")
+            field.setToolTip(
+                gettext(
+                    "{tip}. A list of numbers from {low} to {high} {unit}",
+                    tip=gettext(tip), low=local_number(_end(low, base)),
+                    high=local_number(_end(high, base)), unit=shown,
+                )
+            )  # fmt: skip
             field.textChanged.connect(self._judge)
             self.lists[name] = field
-            form.addRow(_in_units(say(f"{label} ({unit})"), base), field)
+            form.addRow(f"{gettext(label)} ({shown})", field)
         self._fill(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=LEANS))
 
     def use_file(self, title: str, site: Site) -> None:
-        """Limits from a site file."""
+        """Use the limits of a site file."""
         self._file = (title, site)
         self._fill(site)
 
     def use_form(self) -> None:
-        """Forget the site file; wall and system are the plan's again."""
+        """Use the wall and the system of the plan instead of a site file."""
         self._file = None
         self.changed.emit()
 
     @property
-    def file(self) -> str:
-        """What the limits rest on, in words."""
+    def has_file(self) -> bool:
+        """Whether the limits come from a site file."""
+        return self._file is not None
+
+    @property
+    def file_text(self) -> str:
+        """Where the wall and the system come from."""
         if self._file is None:
-            return "Wall and system: the plan's."
+            return gettext("Wall and system: from the plan.")
         title, site = self._file
-        there = ", ".join(each.name for each in site.natural)
-        there = f" There anyway: {there}." if there else ""
-        return f"Wall and system: the site file's, “{title}”.{there}"
+        text = gettext("Wall and system: from the site file “{title}”.", title=title)
+        if not site.natural:
+            return text
+        names = [each.name for each in site.natural]
+        existing = gettext("Existing targets: {names:names}.", names=names)
+        return f"{text} {existing}"
 
     def site(self, titled: TitledPlan) -> tuple[str, Site]:
         """Title and site to search on.
@@ -139,7 +155,7 @@ class LimitsForm(QWidget):
         Raises
         ------
         LispacError
-            What is typed makes no site.
+            Where the values do not form a site.
         """
         if self._file is None:
             plan = titled.plan
@@ -156,7 +172,7 @@ class LimitsForm(QWidget):
         )  # fmt: skip
 
     def mistake(self, titled: TitledPlan) -> str:
-        """What is wrong with what is typed; empty where nothing is."""
+        """Error in the form; "" where there is none."""
         try:
             self.site(titled)
         except LispacError as error:
@@ -169,7 +185,7 @@ class LimitsForm(QWidget):
         if text == filled:
             return values
         decimal = QLocale().decimalPoint()
-        return numbers_of(text, label, unit, low, high, decimal)
+        return numbers_of(text, gettext(label), unit, low, high, decimal)
 
     def _fill(self, site: Site) -> None:
         for field, value in (
@@ -186,7 +202,7 @@ class LimitsForm(QWidget):
         field.setText(self._filled[name][0])
 
     def take_over(self, former: "LimitsForm") -> None:
-        """Take the site file and the lists of another one, written as numbers are written now."""
+        """Take over the site file and the lists of another form, in the language in use."""
         self._file = former._file
         for name, field in self.lists.items():
             values = former._values[name]
@@ -211,28 +227,20 @@ class LimitsForm(QWidget):
 
 
 def _apart(values: Sequence[float], unit: str) -> str:
-    """Numbers as they are typed, in the user's language and unit."""
+    """Text of a list of numbers, in the user's language and unit."""
     decimal, base = QLocale().decimalPoint(), BASES.get(f" {unit}")
     between = ", " if decimal == "." else "; "
     shown = (f"{v:g}" if base is None else units.figure(v, base, "g") for v in values)
     return between.join(each.replace(".", decimal) for each in shown)
 
 
-def _ends(low: float, high: float, base: Base | None) -> str:
-    return f"{_end(low, base)} to {_end(high, base)}"
-
-
 def _end(value: float, base: Base | None) -> str:
     return f"{value:g}" if base is None else units.limit(value, base)
 
 
-def _in_units(said: str, base: Base | None) -> str:
-    return said if base is None else units.signs(said, base, figures=False)
-
-
 def _whole(name: str, low: int, high: int, value: int, tip: str):
     made = widgets.number(
-        name, suffix="", decimals=0, low=low, high=high, step=1, tip=f"{tip}, {low} to {high}"
+        name, suffix="", decimals=0, low=low, high=high, step=1, tip=tip, ranged=True
     )
     made.setValue(value)
     return made

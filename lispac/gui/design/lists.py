@@ -1,5 +1,6 @@
-"""The lines and the targets of a plan as tables, with what adds and removes them."""
+"""Tables of the lines and the targets of a plan, with buttons to add and remove them."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtWidgets import QHBoxLayout, QWidget
@@ -10,54 +11,65 @@ from lispac.gui.design import edits
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.number_table import Field, NumberTable
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import local_number
 from lispac.gui.panels import widgets
 from lispac.io.plan_file import SIDES
+from lispac.language import N_, LazyText, gettext, gettext_lazy
 
 LINE_FIELDS = (
-    Field("turn", "Line", "In which turn it is sailed; the order counts", "no.", 1,
+    Field("turn", N_("Line"), N_("Place of the line in the order of the survey"), "", 1,
           edits.MOST_LINES, 0),
-    Field("heading", "Heading", "Clockwise from north", "deg", -360.0, 360.0, 1),
-    Field("distance", "Distance", "From the middle of the site, when that is abeam", "m",
-          edits.NEAREST, edits.FARTHEST, 1),
-    Field("side", "Site on", "On which side the site lies", choices=SIDES),
-    Field("speed", "Speed", "Over ground", "m/s", 0.05, 10.0, 2),
+    Field("heading", N_("Heading"), N_("Heading, clockwise from north"), "deg", -360.0, 360.0, 1),
+    Field("distance", N_("Distance"), N_("Distance from the centre of the site when it is abeam"),
+          "m", edits.NEAREST, edits.FARTHEST, 1),
+    Field("side", N_("Site on"), N_("Side of the vessel on which the site lies"), choices=SIDES),
+    Field("speed", N_("Speed"), N_("Speed over ground"), "m/s", 0.05, 10.0, 2),
 )  # fmt: skip
 TARGET_FIELDS = (
-    Field("name", "Name", "As it is painted on the board", words=True),
-    Field("along", "Along", "To the right on the wall, as seen from the water", "m", -500.0, 500.0),
-    Field("off", "Off", "From the wall towards the water; negative is behind it", "m", -500.0,
-          500.0),
-    Field("up", "Up", "Of its middle above the vessel's POS", "m", -50.0, 200.0),
-    Field("lean", "From level", "90 is upright, less leans back, more leans forward", "deg", 0.0,
-          180.0, 0),
-    Field("facing", "Faces", "Azimuth", "deg", -360.0, 360.0, 0),
-    Field("width", "Width", "Of a board; diameter of a ball", "m", 0.05, 50.0),
-    Field("height", "Height", "Of a board, along it", "m", 0.05, 50.0),
-    Field("flatness", "Flatness", "How far one line may see it off its shape", "mm", 0.0, 100.0, 1,
-          empty="plan's"),
+    Field("name", N_("Name"), N_("Name as painted on the board"), words=True),
+    Field("along", N_("Along wall"), N_("Position along the wall, positive to the right as seen "
+                                        "from the water"), "m", -500.0, 500.0),
+    Field("off", N_("Off wall"), N_("Distance from the wall, positive towards the water"), "m",
+          -500.0, 500.0),
+    Field("up", N_("Height"), N_("Height of the centre above the POS of the vessel"), "m", -50.0,
+          200.0),
+    Field("lean", N_("Inclination"), N_("Inclination from horizontal: 90 is vertical, less leans "
+                                        "back, more leans forward"), "deg", 0.0, 180.0, 0),
+    Field("facing", N_("Azimuth"), N_("Azimuth of the direction the board faces"), "deg", -360.0,
+          360.0, 0),
+    Field("width", N_("Width"), N_("Width of the board, or diameter of the sphere"), "m", 0.05,
+          50.0),
+    Field("height", N_("Length"), N_("Length of the board along its slope"), "m", 0.05, 50.0),
+    Field("flatness", N_("Form error"), N_("Deviation of the surface from its ideal shape, 1σ"),
+          "mm", 0.0, 100.0, 1, empty=N_("as plan")),
 )  # fmt: skip
+NAME_OF_EDIT = N_("{field} of line {line:n}"), N_("{field} of {target}")
 BALL_LEAST = 0.04
 """Metres: smallest diameter."""
 
 
 class LinesList(QWidget):
-    """Numbers of every line."""
+    """Table of the lines."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self._work = workspace
-        self.table = NumberTable("design_lines", "Lines of the plan", LINE_FIELDS)
+        self.table = NumberTable("design_lines", gettext("Lines of the plan"), LINE_FIELDS)
         self.table.edited.connect(self._edit)
         self.table.chosen.connect(lambda row: workspace.select(line=row))
         buttons = _row(
-            ("Add", "add_line", "Add the selected line the other way round (Insert)",
+            (gettext("Add"), "add_line",
+             gettext("Add the selected line in the opposite direction (Insert)"),
              workspace.add_line),
-            ("Duplicate", "duplicate_line", "Sail the selected line again (Ctrl+D)",
+            (gettext("Duplicate"), "duplicate_line",
+             gettext("Survey the selected line once more (Ctrl+D)"),
              lambda: workspace.add_line(again=True)),
-            ("Remove", "remove_line", "Remove the selected line (Delete)", workspace.remove_line),
-            ("Earlier", "line_earlier", "Sail it one turn earlier (Alt+Up)",
+            (gettext("Remove"), "remove_line", gettext("Remove the selected line (Delete)"),
+             workspace.remove_line),
+            (gettext("Earlier"), "line_earlier",
+             gettext("Move the line one place forward (Alt+Up)"),
              lambda: workspace.sail_line(True)),
-            ("Later", "line_later", "Sail it one turn later (Alt+Down)",
+            (gettext("Later"), "line_later", gettext("Move the line one place back (Alt+Down)"),
              lambda: workspace.sail_line(False)),
         )  # fmt: skip
         layout = widgets.column(self, 8)
@@ -81,11 +93,12 @@ class LinesList(QWidget):
         if name == "turn":
             turn = min(round(value), len(titled.plan.lines)) - 1
             self._work.line = turn
-            self._work.edit("order of lines", edits.line_sailed(titled, row, turn))
+            self._work.edit(gettext_lazy("Order of lines"), edits.line_sailed(titled, row, turn))
             return
         self._work.select(line=row)
         self._work.change_line(
-            f"{name} of line {row + 1}", lambda line: self._new(line, name, value)
+            LazyText(NAME_OF_EDIT[0], {"field": _title(LINE_FIELDS, name), "line": row + 1}),
+            lambda line: self._new(line, name, value),
         )
 
     def _new(self, line: Line, name: str, value) -> Line:
@@ -97,22 +110,23 @@ class LinesList(QWidget):
 
 
 class TargetsList(QWidget):
-    """Numbers of every target."""
+    """Table of the targets."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self._work = workspace
-        self.table = NumberTable("design_targets", "Targets of the plan", TARGET_FIELDS)
+        self.table = NumberTable("design_targets", gettext("Targets of the plan"), TARGET_FIELDS)
         self.table.edited.connect(self._edit)
         self.table.chosen.connect(lambda row: workspace.select(target=row))
         buttons = _row(
-            ("Add board", "add_board",
-             f"Hang one more board, {units.limit(2.0, 'm')} m to the right (Insert)",
+            (gettext("Add board"), "add_board",
+             gettext("Add a board, {distance} to the right (Insert)", distance=_length(2.0)),
              workspace.add_target),
-            ("Add ball", "add_ball",
-             f"Put up a ball of {units.limit(0.2, 'm')} m, {units.limit(2.0, 'm')} m to the right",
+            (gettext("Add sphere"), "add_ball",
+             gettext("Add a sphere of {diameter}, {distance} to the right",
+                     diameter=_length(0.2), distance=_length(2.0)),
              lambda: workspace.add_target(ball=True)),
-            ("Remove", "remove_target", "Remove the selected target (Delete)",
+            (gettext("Remove"), "remove_target", gettext("Remove the selected target (Delete)"),
              workspace.remove_target),
         )  # fmt: skip
         layout = widgets.column(self, 8)
@@ -129,7 +143,9 @@ class TargetsList(QWidget):
     def _edit(self, row: int, name: str, value) -> None:
         others = [t.name for k, t in enumerate(self._work.titled.plan.targets) if k != row]
         if name == "name" and value in others:
-            self._work.refused.emit(f"{value}: another target has this name; give it another.")
+            self._work.refused.emit(
+                gettext("{name}: another target has this name. Choose another name.", name=value)
+            )
             return
         if name == "flatness" and value is not None:
             value /= 1000.0
@@ -141,7 +157,20 @@ class TargetsList(QWidget):
             return replace(each, **{name: value})
 
         self._work.select(target=row)
-        self._work.change_target(f"{name} of target {row + 1}", change)
+        target = edits.hung(self._work.titled)[row].name
+        title = _title(TARGET_FIELDS, name)
+        self._work.change_target(
+            LazyText(NAME_OF_EDIT[1], {"field": title, "target": target}), change
+        )
+
+
+def _title(fields: Sequence[Field], name: str) -> LazyText:
+    return LazyText(next(field.title for field in fields if field.name == name), {})
+
+
+def _length(metres: float) -> str:
+    """A length in the unit shown, with its sign."""
+    return f"{local_number(units.limit(metres, 'm'))} {units.unit('m').sign}"
 
 
 def _cells(each: Hung) -> tuple[float | str | None, ...]:
@@ -156,7 +185,6 @@ def _row(*buttons) -> QHBoxLayout:
     row = QHBoxLayout()
     for text, name, tip, slot in buttons:
         button = widgets.button(text, name, tip=tip)
-        widgets.convert_tip(button, "m")
         button.clicked.connect(lambda _=False, slot=slot: slot())
         row.addWidget(button)
     row.addStretch(1)

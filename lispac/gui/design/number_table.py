@@ -1,4 +1,4 @@
-"""A table whose cells are typed into: a mistake is said while it is typed and never taken."""
+"""An editable table of numbers that reports invalid input while it is typed."""
 
 import math
 from collections.abc import Sequence
@@ -17,9 +17,10 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme, units
-from lispac.gui.language import local_number, say, say_all
+from lispac.gui.language import local_number
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
+from lispac.language import gettext
 from lispac.messages import error
 
 
@@ -29,10 +30,18 @@ class Field:
 
     Attributes
     ----------
-    unit : of the values, below the title; empty for words. Lengths are shown in the user's
-    low, high : what may stand there
-    choices : words to choose from, instead of typing
-    empty : what an empty cell means, where it may be empty
+    title, tip : str
+        English texts of the catalogue.
+    unit : str
+        Unit of the values, below the title; lengths are shown in the user's.
+    low, high : float
+        Range of the values.
+    choices : tuple of str
+        Values to choose from instead of typing, texts of the catalogue.
+    empty : str
+        Meaning of an empty cell, a text of the catalogue; "" where it may not be empty.
+    words : bool
+        Whether the values are names.
     """
 
     name: str
@@ -48,32 +57,32 @@ class Field:
 
     @property
     def base(self) -> Base | None:
-        """Of its lengths and speeds; angles are headings and inclinations, in degrees for all."""
+        """Unit of lengths and speeds that follows the settings; None for angles."""
         return BASES.get(" " + self.unit.removesuffix("/s"))
 
     @property
     def sign(self) -> str:
-        """Unit that is shown."""
+        """Symbol of the unit that is shown."""
         if self.base is None:
             return self.unit
         return units.unit(self.base).sign + ("/s" if self.unit.endswith("/s") else "")
 
     def limit(self, value: float) -> str:
-        """An end of the range, in the unit shown."""
+        """A limit of the range in the unit shown."""
         return f"{value:g}" if self.base is None else units.limit(value, self.base)
 
     def read(self, text: str) -> float | str | None:
-        """What was typed.
+        """Value of a typed text.
 
         Raises
         ------
         InputError
-            It is no number, or out of range.
+            Where it is not a number, or out of range.
         """
         text = text.strip()
         if self.words:
             if not text or len(text) > 24:
-                raise InputError(error("window.name_length", field=say(self.title), longest=24))
+                raise InputError(error("window.name_length", field=gettext(self.title), longest=24))
             return text
         if self.choices:
             return text
@@ -84,50 +93,55 @@ class Field:
         except ValueError:
             typed = math.nan
         if not math.isfinite(typed):
+            field = gettext(self.title)
             raise InputError(
-                error("window.not_a_number_in", field=say(self.title), text=text, unit=self.sign)
+                error("window.not_a_number_in", field=field, text=text, unit=self.sign)
             )
         value = typed if self.base is None else typed / units.unit(self.base).factor
         value = units.ended(value, self.base, self.low, self.high)
         if not self.low <= value <= self.high:
             raise InputError(
                 error(
-                    "window.out_of_range", field=say(self.title), text=local_number(f"{typed:g}"),
+                    "window.out_of_range", field=gettext(self.title),
+                    text=local_number(f"{typed:g}"),
                     low=local_number(self.limit(self.low)),
                     high=local_number(self.limit(self.high)), unit=self.sign,
                 )
             )  # fmt: skip
         return value
 
-    def said(self, value: float | str | None) -> str:
-        """A value as it is shown."""
+    def shown(self, value: float | str | None) -> str:
+        """A value as the cell shows it, in the language and unit of the user."""
         if value is None:
-            return self.empty
+            return gettext(self.empty)
         if isinstance(value, str):
-            return value
+            return gettext(value) if self.choices else value
         form = f".{self.decimals}f"
-        said = f"{value:{form}}" if self.base is None else units.figure(value, self.base, form)
-        return said.replace("-", "−") if float(said) else said.replace("-", "")
+        figure = f"{value:{form}}" if self.base is None else units.figure(value, self.base, form)
+        figure = figure if float(figure) else figure.replace("-", "")
+        return local_number(figure).replace("-", "−")
 
 
 class NumberTable(QTableWidget):
-    """One row a line or target; edits and the choice of a row are told, never made."""
+    """One row for each line or target; edits are emitted, not made."""
 
     edited = Signal(int, str, object)
-    """Row, name of the field, and the value; None for an empty one."""
+    """Row, name of the field, and the value; None for an empty cell."""
     chosen = Signal(int)
     mistake = Signal(str)
-    """What is wrong with what is being typed; empty when nothing is any more."""
+    """Error of the text being typed; empty where there is none."""
 
     def __init__(self, name: str, title: str, fields: Sequence[Field]) -> None:
         super().__init__(0, len(fields))
         self.setObjectName(name)
-        self.setAccessibleName(say(title))
+        self.setAccessibleName(title)
         self.fields = tuple(fields)
         self._showing = False
-        heads = [f"{each.title}\n({each.unit})" if each.unit else each.title for each in fields]
         self.setHorizontalHeaderLabels(
-            [_signed(head, each, False) for head, each in zip(say_all(heads), fields, strict=True)]
+            [
+                f"{gettext(each.title)}\n({each.sign})" if each.unit else gettext(each.title)
+                for each in fields
+            ]
         )
         for k, each in enumerate(fields):
             head = self.horizontalHeaderItem(k)
@@ -152,13 +166,20 @@ class NumberTable(QTableWidget):
         self.currentCellChanged.connect(self._choose)
 
     def _tip(self, field: Field) -> str:
+        tip = gettext(field.tip)
         if field.words or field.choices:
-            return say(field.tip)
-        said = f"{field.tip}, {field.limit(field.low)} to {field.limit(field.high)} {field.unit}"
-        return _signed(say(f"{said}. Empty: {field.empty}" if field.empty else said), field)
+            return tip
+        tip = gettext(
+            "{tip}. Range: {low} to {high} {unit}",
+            tip=tip, low=local_number(field.limit(field.low)),
+            high=local_number(field.limit(field.high)), unit=field.sign,
+        ).rstrip()  # fmt: skip
+        if field.empty:
+            tip = gettext("{tip}. Empty: {meaning}", tip=tip, meaning=gettext(field.empty))
+        return tip
 
     def show_rows(self, rows: Sequence[Sequence[float | str | None]], current: int) -> None:
-        """Show other values; a cell of a field that does not apply holds an empty string."""
+        """Show values; "" for a field that does not apply to a row."""
         self._showing = True
         if self.rowCount() != len(rows):
             self.setRowCount(len(rows))
@@ -171,9 +192,9 @@ class NumberTable(QTableWidget):
                     item.setFont(theme.tabular(self.font()))
                     item.setToolTip(self._tip(field))
                     self.setItem(r, c, item)
-                said = "" if value == "" else _shown(field, value)
-                if item.text() != said:
-                    item.setText(said)
+                text = "" if value == "" else field.shown(value)
+                if item.text() != text:
+                    item.setText(text)
                 flags = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled
                 item.setFlags(flags if value == "" else flags | Qt.ItemFlag.ItemIsEditable)
         if 0 <= current < len(rows) and self.currentRow() != current:
@@ -185,22 +206,8 @@ class NumberTable(QTableWidget):
             self.chosen.emit(row)
 
 
-def _signed(said: str, field: Field, figures: bool = True) -> str:
-    """A text with the sign of the unit shown; ``figures``, where they are in that unit."""
-    if field.base is None:
-        return said
-    if field.unit.endswith("/s"):
-        return said.replace(field.unit, field.sign)
-    return units.signs(said, field.base, figures=figures)
-
-
-def _shown(field: Field, value: float | str | None) -> str:
-    """A value in the user's language; a name as it is."""
-    return field.said(value) if field.words else say(field.said(value))
-
-
 class _Delegate(QStyledItemDelegate):
-    """Editors that say what is wrong; Enter does not close one that is."""
+    """Editors that report invalid input; Enter does not close one that has it."""
 
     def __init__(self, table: NumberTable) -> None:
         super().__init__(table)
@@ -211,7 +218,7 @@ class _Delegate(QStyledItemDelegate):
         if field.choices:
             box = QComboBox(parent)
             for choice in field.choices:
-                box.addItem(say(choice), choice)
+                box.addItem(gettext(choice), choice)
             box.activated.connect(lambda _index: (self.commitData.emit(box),
                                                   self.closeEditor.emit(box)))  # fmt: skip
         else:
@@ -219,8 +226,8 @@ class _Delegate(QStyledItemDelegate):
             box.setFont(theme.tabular(box.font()))
             box.textEdited.connect(lambda _text: self._judge(box, field))
             box.destroyed.connect(self._closed)
-        said = say(f"{field.title}, {field.unit}" if field.unit else field.title)
-        box.setAccessibleName(_signed(said, field, False))
+        title = gettext(field.title)
+        box.setAccessibleName(f"{title}, {field.sign}" if field.unit else title)
         return box
 
     def _closed(self) -> None:
@@ -232,21 +239,21 @@ class _Delegate(QStyledItemDelegate):
     def _judge(self, editor: QLineEdit, field: Field) -> bool:
         try:
             field.read(editor.text())
-            said = ""
-        except InputError as error:
-            said = str(error)
-        editor.setProperty("wrong", bool(said))
+            mistake = ""
+        except InputError as failure:
+            mistake = str(failure)
+        editor.setProperty("wrong", bool(mistake))
         editor.style().unpolish(editor)
         editor.style().polish(editor)
-        self._table.mistake.emit(said)
-        return not said
+        self._table.mistake.emit(mistake)
+        return not mistake
 
     def setEditorData(self, editor, index) -> None:
         if isinstance(editor, QComboBox):
             editor.setCurrentText(index.data())
         elif not editor.isModified():
-            field, said = self._table.fields[index.column()], index.data() or ""
-            editor.setText("" if field.empty and said == say(field.empty) else said)
+            field, text = self._table.fields[index.column()], index.data() or ""
+            editor.setText("" if field.empty and text == gettext(field.empty) else text)
 
     def setModelData(self, editor, model, index) -> None:
         field = self._table.fields[index.column()]
@@ -260,7 +267,7 @@ class _Delegate(QStyledItemDelegate):
             value = field.read(editor.text())
         except InputError:
             return
-        if _shown(field, value) != index.data():
+        if field.shown(value) != index.data():
             self._table.edited.emit(index.row(), field.name, value)
 
     def eventFilter(self, editor, event) -> bool:
@@ -275,7 +282,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 def _side(field: Field) -> Qt.AlignmentFlag:
-    """Words to the left, numbers to the right, and their heading above them."""
+    """Alignment of a column: names to the left, numbers to the right."""
     words = bool(field.words or field.choices)
     side = Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight
     return side | Qt.AlignmentFlag.AlignVCenter

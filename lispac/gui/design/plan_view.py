@@ -1,4 +1,4 @@
-"""The site from above: lines are dragged nearer, farther and round."""
+"""Plan view of the site, in which lines are dragged and turned."""
 
 import numpy as np
 from PySide6.QtCore import QPointF, Qt
@@ -9,7 +9,8 @@ from lispac.gui import theme, units
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import REACH, Array, Canvas
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
+from lispac.gui.language import local_number
+from lispac.language import LazyText, gettext, gettext_lazy
 from lispac.simulation.closed_form import Board
 
 ASIDE = 6.0
@@ -27,16 +28,16 @@ class PlanView(Canvas):
     """North up; a line's number stands where it begins."""
 
     def __init__(self, workspace: Workspace) -> None:
+        unit = units.unit("m").sign
         super().__init__(
-            "plan_view", "Site from above: lines", workspace, ("east (m)", "north (m)")
-        )
+            "plan_view", gettext("Plan view of the lines"), workspace,
+            (gettext("east ({unit})", unit=unit), gettext("north ({unit})", unit=unit)),
+        )  # fmt: skip
         self.setToolTip(
-            say(
-                "Drag a line nearer or farther, its arrow to turn it (in steps of 5 deg, "
-                "with Shift "
-                "freely). Keys: Page up and down choose a line, Left and Right turn it, "
-                "Up and Down "
-                "move it; Insert adds, Delete removes."
+            gettext(
+                "Drag a line to move it, its arrow to turn it (in steps of 5°, with Shift "
+                "continuously). Page Up/Down selects a line, Left/Right turns it, Up/Down moves "
+                "it, Insert adds a line, Delete removes it."
             )
         )
         self._line: Line | None = None
@@ -131,9 +132,10 @@ class PlanView(Canvas):
         painter.drawText(first + QPointF(-wide / 2, 4), number)
         if chosen:
             line = self.workspace.titled.plan.lines[k]
-            said = say(f"{line.heading_deg:03.0f}°, {units.limit(line.distance, 'm')} m")
+            distance = local_number(units.limit(line.distance, "m"))
+            label = f"{line.heading_deg:03.0f}°, {distance} {units.unit('m').sign}"
             at = (first + last) / 2 + QPointF(8, -8)
-            self.words(painter, at, units.signs(said, "m"), theme.MOVED)
+            self.words(painter, at, label, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
@@ -184,10 +186,10 @@ class PlanView(Canvas):
                 line = edits.at_distance(line, edits.stepped(line.distance, SNAP))
         self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
 
-    def dropped(self) -> str:
-        """Let go of the line."""
+    def dropped(self) -> LazyText:
+        """Release the line; name of the undo step."""
         self._line = None
-        return f"{'turn' if self._turns else 'move'} line {self.workspace.line + 1}"
+        return _turn(self.workspace.line) if self._turns else _move(self.workspace.line)
 
     # -- keys --------------------------------------------------------------------------------
 
@@ -200,14 +202,14 @@ class PlanView(Canvas):
         elif key in (Key.Key_Left, Key.Key_Right):
             by = (1.0 if free else edits.SNAP_DEG) * (1 if key == Key.Key_Right else -1)
             work.change_line(
-                f"turn line {work.line + 1}",
+                _turn(work.line),
                 lambda line: edits.turned(line, wall, line.heading_deg + by),
                 f"turn {work.line}",
             )
         elif key in (Key.Key_Up, Key.Key_Down):
             farther = units.step(0.1 if free else 1.0, "m") * (1 if key == Key.Key_Up else -1)
             work.change_line(
-                f"move line {work.line + 1}",
+                _move(work.line),
                 lambda line: edits.at_distance(line, line.distance + farther),
                 f"move {work.line}",
             )
@@ -218,6 +220,14 @@ class PlanView(Canvas):
         else:
             return False
         return True
+
+
+def _turn(k: int) -> LazyText:
+    return gettext_lazy("Turn line {line:n}", line=k + 1)
+
+
+def _move(k: int) -> LazyText:
+    return gettext_lazy("Move line {line:n}", line=k + 1)
 
 
 def _along(line: Line) -> Array:

@@ -1,4 +1,6 @@
-"""What the plan would give: cautions at once, sigmas in a drag, sentences and worths later."""
+"""Panel of the predicted precision of the plan."""
+
+from html import escape
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -15,20 +17,18 @@ from lispac.gui.design.workspace import Workspace
 from lispac.gui.language import leave_plan_alone, say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.language import N_, current_language, gettext, number
+from lispac.message_texts import message_text
 from lispac.workflow.designing import cautions
 
-HEADS = ("", "this plan", "thesis")
-LOOKING = "Looking at this plan …"
-PAIRS = ("roll–pitch", "roll–yaw", "pitch–yaw")
-WORTH = (
-    Column("Without", "Target or line that is left out", words=True),
-    Column("Largest σ (deg)", "Largest of the three sigmas without it", base="°"),
-    Column("Factor", "That many times as large as with it"),
-)
+HEADS = ("plan", "thesis")
+TITLES = N_("this plan"), N_("thesis")
+ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
+PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 
 
 class ResultsPanel(QScrollArea):
-    """Sigmas beside the thesis's, correlations, sentences, points, worths."""
+    """Standard deviations beside those of the thesis, correlations, warnings, information gain."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -41,35 +41,41 @@ class ResultsPanel(QScrollArea):
         self._told = Told(workspace.titled.plan, None, True)
         body = QWidget()
         layout = widgets.column(body, 12)
-        head = widgets.label("Expected sigmas (deg, 1 sigma)", "heading")
-        head.setText(units.signs(head.text(), "°", figures=False))
-        layout.addWidget(head)
+        unit = units.unit("°").sign
+        layout.addWidget(
+            widgets.label(gettext("Predicted standard deviations ({unit})", unit=unit), "heading")
+        )
         grid = QGridLayout()
         grid.setHorizontalSpacing(14)
         grid.setVerticalSpacing(4)
-        for column, head in enumerate(HEADS):
-            grid.addWidget(widgets.label(head, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
+        for column, title in enumerate(map(gettext, TITLES), start=1):
+            grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
         self.sigma: dict[str, QLabel] = {}
         self.thesis: dict[str, QLabel] = {}
         for row, angle in enumerate(ANGLES, start=1):
-            grid.addWidget(widgets.label(angle), row, 0)
+            named = gettext(ANGLE_NAMES[angle])
+            grid.addWidget(widgets.label(named), row, 0)
             for column, (held, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
-                shown = widgets.label("", name=f"design_{HEADS[column].split()[-1]}_{angle}")
+                shown = widgets.label("", name=f"design_{HEADS[column - 1]}_{angle}")
                 font = theme.tabular(shown.font(), bold=column == 1)
                 font.setPixelSize(size)
                 shown.setFont(font)
-                # There is room for the first numbers before they come
+                # Keeps its width when the first numbers arrive.
                 shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
                 shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                named = say(f"Sigma of {angle}, {HEADS[column]}, degrees")
-                shown.setAccessibleName(units.signs(named, "°", figures=False))
+                shown.setAccessibleName(
+                    gettext(
+                        "Standard deviation of {angle}, {plan}, {unit}",
+                        angle=named, plan=gettext(TITLES[column - 1]), unit=unit,
+                    )
+                )  # fmt: skip
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
                 held[angle] = shown
         grid.setColumnStretch(3, 1)
         layout.addLayout(grid)
         self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
         self.correlation.setToolTip(
-            say("Correlations; near 1 or −1 two angles are hardly told apart")
+            gettext("Correlations: close to 1 or −1, two angles cannot be separated")
         )
         layout.addWidget(self.correlation)
         self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
@@ -79,17 +85,19 @@ class ResultsPanel(QScrollArea):
         self.words = widgets.label("", "hint", wrap=True, name="design_words")
         self.words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
         layout.addWidget(self.words)
-        layout.addWidget(widgets.label("Points per sighting", "heading"))
+        layout.addWidget(widgets.label(gettext("Points per sighting"), "heading"))
         self.points = widgets.label("", name="design_points", rich=True)
-        self.points.setAccessibleName(say("Points per sighting"))
+        self.points.setAccessibleName(gettext("Points per sighting"))
         self._beside = QScrollArea()
         self._beside.setFrameShape(QFrame.Shape.NoFrame)
         self._beside.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._beside.setWidgetResizable(True)
         self._beside.setWidget(self.points)
         layout.addWidget(self._beside)
-        layout.addWidget(widgets.label("What each is worth", "heading"))
-        self.worth = DiagnosticsTable("design_worth", "What each target and line is worth", WORTH)
+        layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
+        self.worth = DiagnosticsTable(
+            "design_worth", gettext("Information gain of each target and line"), _columns()
+        )
         self.worth.setMinimumHeight(170)
         layout.addWidget(self.worth, 1)
         self.setWidget(body)
@@ -102,31 +110,34 @@ class ResultsPanel(QScrollArea):
         self.following.start()
 
     def _show(self) -> None:
-        """What costs nothing."""
+        """Show what needs no computation."""
         titled = self._work.titled
         leave_plan_alone(titled.plan)
-        self.minutes.setText(say(f"On site: {told.minutes(titled)}"))
-        said = "\n".join(cautions(titled))
-        self.cautions.setText(say(said))
-        self.cautions.setVisible(bool(said))
+        self.minutes.setText(told.minutes(titled))
+        found = cautions(titled)
+        self.cautions.setText("\n".join(map(message_text, found)))
+        self.cautions.setVisible(bool(found))
 
     def _show_late(self) -> None:
-        """Numbers of an earlier plan are not this plan's."""
+        """Mark the numbers of the former plan as out of date."""
         if self.following.behind:
             for label in self.sigma.values():
                 label.setStyleSheet(f"color: {theme.MUTED};")
         if not self.following.has_said:
-            self.words.setText(say(LOOKING))
+            self.words.setText(gettext("Computing…"))
         self.worth.show_rows([])
 
     def _show_sigmas(self, found: Told) -> None:
-        """The numbers, which follow a drag."""
+        """Show the numbers, which follow a drag."""
         self._told = found
-        for angle, said in zip(ANGLES, self._told.sigmas, strict=True):
-            self.sigma[angle].setText(say(said))
+        for angle, sigma in zip(ANGLES, self._told.sigmas, strict=True):
+            self.sigma[angle].setText(sigma)
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")
-        pairs = zip(PAIRS, self._told.correlations, strict=True)
-        self.correlation.setText(say(f"Correlation: {', '.join(f'{p} {c}' for p, c in pairs)}"))
+        pairs = zip(map(gettext, PAIRS), self._told.correlations, strict=True)
+        separator = ", " if current_language() == "en" else " ; "
+        self.correlation.setText(
+            gettext("Correlation: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
+        )
         self._show_points()
 
     def _show_points(self) -> None:
@@ -135,9 +146,11 @@ class ResultsPanel(QScrollArea):
         lines = [course.name for course in plan.courses] if plan.targets else []
         names = [target.name for target in plan.targets]
         # More targets than lines are rare: lines run down, as in the table of lines.
-        head = "".join(f"<td align='right'>&nbsp;&nbsp;<b>{name}</b></td>" for name in names)
+        head = "".join(
+            f"<td align='right'>&nbsp;&nbsp;<b>{escape(name)}</b></td>" for name in names
+        )
         rows = "".join(
-            f"<tr><td>{line}</td>"
+            f"<tr><td>{escape(line)}</td>"
             + "".join(f"<td align='right'>&nbsp;&nbsp;{_count(counts, name, line)}</td>"
                       for name in names)
             + "</tr>"
@@ -155,7 +168,7 @@ class ResultsPanel(QScrollArea):
         self.words.style().polish(self.words)
         self.words.setText(say("\n".join(said.sentences)))
         for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
-            self.thesis[angle].setText(say(sigma))
+            self.thesis[angle].setText(sigma)
 
     def _show_worths(self, worths: tuple[Worth, ...]) -> None:
         known = self._told.prediction is not None and self._told.prediction.determined
@@ -166,23 +179,35 @@ class ResultsPanel(QScrollArea):
             times = without / largest if known and np.isfinite(without) else None
             cells = [
                 Cell(each.name, named=True), _sigma(without),
-                Cell("" if times is None else f"{times:.2f}", times),
+                Cell("" if times is None else number(times, 2), times),
             ]  # fmt: skip
             rows.append(Row(cells))
         self.worth.show_rows(rows)
 
     def stop(self) -> None:
-        """Compute nothing any more."""
+        """Stop all computations."""
         self.following.stop()
 
 
 def _sigma(degrees: float) -> Cell:
     if not np.isfinite(degrees):
-        return Cell(told.OPEN, degrees)
+        return Cell(gettext(told.OPEN), degrees)
     form = told.form(degrees)
     return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
 
 
 def _count(counts, target: str, line: str) -> str:
     found = counts.get((target, line))
-    return say(f"{found:,.0f}") if found is not None else told.UNKNOWN
+    return number(found, 0) if found is not None else told.UNKNOWN
+
+
+def _columns() -> tuple[Column, Column, Column]:
+    return (
+        Column(gettext("Without"), gettext("Target or line that is excluded"), words=True),
+        Column(
+            gettext("Largest σ (deg)"),
+            gettext("Largest of the three standard deviations without it"),
+            base="°",
+        ),
+        Column(gettext("Factor"), gettext("Ratio to the largest standard deviation with it")),
+    )

@@ -1,4 +1,6 @@
-"""Find the best plan: within which limits, what is to be small, and what was found."""
+"""Panel of the search for the best plan: limits, criterion and result."""
+
+from dataclasses import dataclass
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
@@ -7,19 +9,19 @@ from lispac.design.objective import CRITERIA, Objective
 from lispac.gui import theme, units
 from lispac.gui.carrying import fill_in
 from lispac.gui.design.limits import LimitsForm
-from lispac.gui.design.told import sigma_words
+from lispac.gui.design.told import sigma_text
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import N_, LazyText, gettext
 
 FACTORS = {
-    "POS as good as stated": (1.0,),
-    "POS half to twice as poor": (0.5, 1.0, 2.0),
+    N_("POS errors as specified"): (1.0,),
+    N_("POS errors from half to twice those specified"): (0.5, 1.0, 2.0),
 }
 
 
 class SearchPanel(QScrollArea):
-    """Asks for a search; the result is taken over by who runs it."""
+    """Form of the search; emits what the user asks for."""
 
     asked = Signal()
     cancel_asked = Signal()
@@ -29,35 +31,46 @@ class SearchPanel(QScrollArea):
         super().__init__()
         self.setObjectName("design_search")
         self.setWidgetResizable(True)
-        self._work, self._busy, self._found = workspace, False, ""
+        self._work, self._busy = workspace, False
+        self._found: LazyText | None = None
         self.limits = LimitsForm()
         self.criterion = widgets.Choice(
-            "search_criterion", list(CRITERIA.values()), "What the best plan has smallest"
+            "search_criterion",
+            list(map(gettext, CRITERIA.values())),
+            gettext("Quantity that the best plan minimises"),
         )
         self.factors = widgets.Choice(
-            "search_factors", list(FACTORS), "How good the POS will be on the day: the mean counts"
+            "search_factors",
+            list(map(gettext, FACTORS)),
+            gettext("POS errors to be expected; the mean over them is minimised"),
         )
         for choice in (self.criterion, self.factors):
             choice.setAccessibleName(choice.toolTip())
         self.plans = widgets.number(
             "search_plans", suffix="", decimals=0, low=100, high=1_000_000, step=1000,
-            tip="About how many plans to look at where there are too many to look at all, "
-            "100 to 1,000,000",
+            tip=gettext(
+                "Approximate number of plans to evaluate where there are too many to evaluate all, "
+                "{low:n} to {high:n}", low=100, high=1_000_000,
+            ),
         )  # fmt: skip
         self.plans.setValue(5000)
         self.plans.setGroupSeparatorShown(True)
         self.read = widgets.button(
-            "Site file…", "search_file", icon="folder-open-outline",
-            tip="Read wall, system and limits of a site, and what stands there anyway",
+            gettext("Site file…"), "search_file", icon="folder-open-outline",
+            tip=gettext("Read the wall, the system, the limits and the existing targets of a site"),
         )  # fmt: skip
         self.forget = widgets.button(
-            "Without file", "search_no_file", tip="Take wall and system of the plan again"
+            gettext("Without file"),
+            "search_no_file",
+            tip=gettext("Use the wall and the system of the plan"),
         )
         self.find = widgets.button(
-            "Find the best plan", "search_find", primary=True,
-            tip="Search in the background; the best plan becomes this plan, and one undo goes back",
+            gettext("Find the best plan"), "search_find", primary=True,
+            tip=gettext("Search in the background; the best plan replaces this one (undo reverts)"),
         )  # fmt: skip
-        self.cancel = widgets.button("Cancel", "search_cancel", tip="Stop; nothing is changed")
+        self.cancel = widgets.button(
+            gettext("Cancel"), "search_cancel", tip=gettext("Stop the search; nothing is changed")
+        )
         self.about_file = widgets.label("", "muted", wrap=True, name="search_about_file")
         self.said = widgets.label("", "hint", wrap=True, name="search_said")
         self.said.hide()
@@ -67,9 +80,9 @@ class SearchPanel(QScrollArea):
         left.addWidget(self.limits)
         left.addStretch(1)
         form = QFormLayout()
-        form.addRow(say("Smallest"), self.criterion)
-        form.addRow(say("Expect"), self.factors)
-        form.addRow(say("Plans"), self.plans)
+        form.addRow(gettext("Minimise"), self.criterion)
+        form.addRow(gettext("POS errors"), self.factors)
+        form.addRow(gettext("Plans"), self.plans)
         files = QHBoxLayout()
         files.addWidget(self.read)
         files.addWidget(self.forget)
@@ -102,21 +115,21 @@ class SearchPanel(QScrollArea):
 
     @property
     def objective(self) -> Objective:
-        """What is to be small."""
+        """Objective of the search."""
         factors = list(FACTORS.values())[self.factors.currentIndex()]
         return Objective(list(CRITERIA)[self.criterion.currentIndex()], factors)
 
-    def say(self, words: str) -> None:
-        """Say what was found; empty before anything is."""
-        self._found = words
-        self.said.setText(units.signs(say(words), "°"))
-        self.said.setVisible(bool(words))
+    def show_found(self, found: LazyText | None) -> None:
+        """Show the result of a search; None where there is none."""
+        self._found = found
+        self.said.setText("" if found is None else str(found))
+        self.said.setVisible(found is not None)
 
     def take_over(self, former: "SearchPanel") -> None:
-        """Take the choices of another one, and what it says was found."""
+        """Take over the choices and the result of another panel."""
         fill_in(former, self)
         self.limits.take_over(former.limits)
-        self.say(former._found)
+        self.show_found(former._found)
 
     def show_busy(self, busy: bool) -> None:
         """Whether work runs."""
@@ -126,18 +139,45 @@ class SearchPanel(QScrollArea):
 
     def _judge(self) -> None:
         mistake = self.limits.mistake(self._work.titled)
-        self.mistake.setText(say(mistake))
+        self.mistake.setText(mistake)
         self.mistake.setVisible(bool(mistake))
-        self.about_file.setText(say(self.limits.file))
-        self.forget.setEnabled(not self.limits.file.endswith("plan's."))
+        self.about_file.setText(self.limits.file_text)
+        self.forget.setEnabled(self.limits.has_file)
         self.find.allow(not mistake and not self._busy)
 
 
-def found_in_words(value_deg: float, objective: Objective, looked_at: int, exact: bool) -> str:
-    """What a search found, in a sentence."""
-    looked = f"{looked_at:,} plans looked at"
-    looked += ", which is all there are" if exact else ", of many more"
-    return (
-        f"{CRITERIA[objective.criterion].capitalize()} is {sigma_words(value_deg)} deg; {looked}. "
-        "The best plan is shown; undo goes back to the one before."
-    )
+@dataclass(frozen=True)
+class Found(LazyText):
+    """Result of a search as a text.
+
+    Attributes
+    ----------
+    value : float, degrees
+        Of the objective.
+    evaluated : int
+        Number of plans.
+    all_evaluated : bool
+        Whether there are no others.
+    """
+
+    value: float
+    objective: Objective
+    evaluated: int
+    all_evaluated: bool
+
+    def __str__(self) -> str:
+        """The text in the language and the unit in use."""
+        criterion = gettext(CRITERIA[self.objective.criterion])
+        unit = units.unit("°").sign
+        value = sigma_text(self.value) + (unit if unit in "°′″" else f" {unit}")
+        if self.all_evaluated:
+            return gettext(
+                "Best plan: {criterion} {value}. All {count:n} plans were evaluated. Undo restores "
+                "the former plan.",
+                criterion=criterion, value=value, count=self.evaluated,
+            )  # fmt: skip
+        return gettext(
+            "Best plan: {criterion} {value}. {count:n} of a larger number of plans were evaluated. "
+            "Undo restores the former plan.",
+            criterion=criterion, value=value, count=self.evaluated,
+        )  # fmt: skip

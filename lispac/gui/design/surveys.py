@@ -1,4 +1,4 @@
-"""Do the sigmas hold? How many surveys of the plan to simulate, and what they said."""
+"""Panel of simulated surveys, which check the predicted standard deviations."""
 
 from dataclasses import dataclass
 
@@ -9,20 +9,20 @@ from lispac.design.monte_carlo import ENOUGH
 from lispac.gui import theme
 from lispac.gui.carrying import fill_in
 from lispac.gui.design.angles_table import AnglesTable
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import N_, gettext
 
 MOST = 5000
-HINT = (
-    "Every survey has boards off their shape, LiDAR noise, POS errors that drift and a rolling "
-    "vessel, and is adjusted as a real one. Their answers scatter about the truth: as much as "
-    "foretold, or not. The surveys are of the plan as it stands when they begin."
+HINT = N_(
+    "Each simulated survey has form errors of the targets, LiDAR noise, correlated POS errors and "
+    "a rolling vessel, and is adjusted like a real one. The scatter of the estimated angles about "
+    "the truth is compared with the prediction."
 )
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A campaign, as it was asked for."""
+    """Number and kind of the surveys to simulate."""
 
     surveys: int
     seed: int
@@ -30,7 +30,7 @@ class Asked:
 
 
 class SurveysPanel(QScrollArea):
-    """Asks for a campaign, and shows its answer."""
+    """Form of the simulation, and its result."""
 
     asked = Signal()
     cancel_asked = Signal()
@@ -41,35 +41,39 @@ class SurveysPanel(QScrollArea):
         self.setWidgetResizable(True)
         self.surveys = widgets.number(
             "surveys_count", suffix="", decimals=0, low=ENOUGH, high=MOST, step=100,
-            tip=f"How many surveys to simulate and adjust, {ENOUGH} to {MOST:,}",
+            tip=gettext(
+                "Number of surveys to simulate and adjust, {low:n} to {high:n}",
+                low=ENOUGH, high=MOST,
+            ),
         )  # fmt: skip
         self.surveys.setValue(200)
         self.seed = widgets.number(
             "surveys_seed", suffix="", decimals=0, low=0, high=999_999_999, step=1,
-            tip="Seed of chance: another one gives other surveys, the same one the same",
+            tip=gettext("Seed of the random numbers: the same seed gives the same surveys"),
         )  # fmt: skip
         self.seed.setValue(2027)
         for field in (self.surveys, self.seed):
             field.setGroupSeparatorShown(field is self.surveys)
-        self.flatness = QCheckBox(say("The adjustment is told how flat the targets are"))
+        self.flatness = QCheckBox(gettext("Form error of the targets is known"))
         self.flatness.setObjectName("surveys_flatness")
         self.flatness.setToolTip(
-            say("Otherwise it takes their flatness from the data, as with a real survey")
+            gettext("Otherwise the adjustment estimates it from the data, as in a real survey")
         )
         self.start = widgets.button(
-            "Simulate surveys", "surveys_start", primary=True,
-            tip="Simulate and adjust them in the background; the plan stays as it is",
+            gettext("Simulate surveys"), "surveys_start", primary=True,
+            tip=gettext("Simulate and adjust the surveys in the background"),
         )  # fmt: skip
         self.cancel = widgets.button(
-            "Cancel", "surveys_cancel",
-            tip=f"Stop; {ENOUGH} surveys or more that are finished are shown",
+            gettext("Cancel"), "surveys_cancel",
+            tip=gettext("Stop; the result is shown if at least {count:n} surveys are finished",
+                        count=ENOUGH),
         )  # fmt: skip
-        self.answer = AnglesTable("surveys_answer", HINT)
+        self.answer = AnglesTable("surveys_answer", gettext(HINT))
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()
-        form.addRow(say("Surveys"), self.surveys)
-        form.addRow(say("Seed"), self.seed)
+        form.addRow(gettext("Surveys"), self.surveys)
+        form.addRow(gettext("Seed"), self.seed)
         buttons = QHBoxLayout()
         buttons.addWidget(self.start)
         buttons.addWidget(self.cancel)
@@ -88,13 +92,13 @@ class SurveysPanel(QScrollArea):
         self.cancel.clicked.connect(lambda: self.cancel_asked.emit())
 
     def take_over(self, former: "SurveysPanel") -> None:
-        """Take what another one would ask for, and the answer that it shows."""
+        """Take over the choices and the result of another panel."""
         fill_in(former, self)
         self.answer.take_over(former.answer)
 
     @property
     def wanted(self) -> Asked:
-        """What is asked for."""
+        """Number and kind of surveys that the form has."""
         return Asked(
             round(self.surveys.value()), round(self.seed.value()), self.flatness.isChecked()
         )

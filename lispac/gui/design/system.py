@@ -1,4 +1,4 @@
-"""With what is surveyed: POS, scanner, and how the adjustment takes the POS errors."""
+"""Form of the survey system: POS, scanner and stochastic model of the POS errors."""
 
 from dataclasses import replace
 from math import isclose
@@ -11,12 +11,14 @@ from lispac.design.plan import System
 from lispac.design.scenarios import GRADES
 from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import ALIKE
+from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.report.design_words import NAMES
 
-OWN = "own numbers"
+OWN = N_("user-defined")
+AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
+ANGLES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
 
 
 def _number(name, unit, decimals, low, high, step, tip):
@@ -27,10 +29,10 @@ def _number(name, unit, decimals, low, high, step, tip):
 
 
 class SystemPanel(QScrollArea):
-    """Every field is an edit of the plan, and follows undo."""
+    """Form whose fields edit the plan and follow undo."""
 
     library_asked = Signal()
-    """Sigmas are to come from the sensor library."""
+    """The user wants the standard deviations of sensors of the library."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -39,75 +41,79 @@ class SystemPanel(QScrollArea):
         self._work, self._showing = workspace, False
         self.title = QLineEdit()
         self.title.setObjectName("design_title")
-        self.title.setAccessibleName(say("Title of the plan"))
-        self.title.setToolTip(say("Title of the plan, as it stands on the field plan"))
+        self.title.setAccessibleName(gettext("Title of the plan"))
+        self.title.setToolTip(gettext("Title of the plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.Choice(
-            "design_grade", [*GRADES, OWN],
-            "Class of the POS: what data sheets state for such, rounded",
+            "design_grade", [*map(gettext, GRADES), gettext(OWN)],
+            gettext("Class of the POS: typical values of data sheets"),
         )  # fmt: skip
         self.model = widgets.Choice(
-            "design_pos_errors", list(NAMES.values()),
-            "Stochastic model of the POS errors: correlated in time, or uncorrelated",
+            "design_pos_errors", list(map(gettext, NAMES.values())),
+            gettext("Stochastic model of the POS errors: correlated in time, or uncorrelated"),
         )  # fmt: skip
         for choice in (self.grade, self.model):
             choice.setAccessibleName(choice.toolTip())
             choice.setSizeAdjustPolicy(choice.SizeAdjustPolicy.AdjustToContents)
         self.position = [
             _number(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,
-                    f"POS error {axis}, 1 sigma")
-            for axis in ("north", "east", "up")
+                    gettext("Standard deviation of the POS position, {axis}", axis=gettext(title)))
+            for axis, title in AXES.items()
         ]  # fmt: skip
         self.attitude = [
             _number(f"design_sigma_{axis}", "°", 4, 0.0001, 10.0, 0.001,
-                    f"POS error of {axis}, 1 sigma")
-            for axis in ("roll", "pitch", "heading")
+                    gettext("Standard deviation of the POS attitude, {angle}",
+                            angle=gettext(title)))
+            for axis, title in ANGLES.items()
         ]  # fmt: skip
         self.times = [
             _number("design_time_position", "s", 0, 1.0, 100_000.0, 10.0,
-                    "For how long position errors stay alike"),
+                    gettext("Correlation time of the position errors")),
             _number("design_time_attitude", "s", 0, 1.0, 100_000.0, 10.0,
-                    "For how long attitude errors stay alike"),
+                    gettext("Correlation time of the attitude errors")),
         ]  # fmt: skip
         self.flatness = _number("design_flatness", "mm", 2, 0.0, 100.0, 0.1,
-                                "How far one line sees a target off its shape")  # fmt: skip
+                                gettext("Form error of the targets, 1σ"))  # fmt: skip
         self.pulses = _number("design_pulses", "kHz", 1, 0.1, 10_000.0, 10.0,
-                              "Pulses of the scanner")  # fmt: skip
+                              gettext("Pulse rate of the scanner"))  # fmt: skip
         self.profiles = _number("design_profiles", "Hz", 1, 0.1, 10_000.0, 10.0,
-                                "Profiles of the scanner")  # fmt: skip
+                                gettext("Profile rate of the scanner"))  # fmt: skip
         self.range_sigma = _number("design_range_sigma", "mm", 2, 0.01, 1000.0, 0.5,
-                                   "Noise of a range, 1 sigma")  # fmt: skip
+                                   gettext("Standard deviation of a range"))  # fmt: skip
         self.max_range = _number("design_max_range", "m", 0, 1.0, 10_000.0, 10.0,
-                                 "Farthest the scanner sees")  # fmt: skip
+                                 gettext("Maximum range of the scanner"))  # fmt: skip
         self.minutes = _number("design_minutes_line", "min", 1, 0.1, 600.0, 0.5,
-                               "From one line to the next, with the turn")  # fmt: skip
+                               gettext("Time from one line to the next, with turn"))  # fmt: skip
         self.facing = widgets.number(
             "design_facing", suffix=" °", decimals=0, low=0.0, high=359.0, step=5.0,
-            tip="Azimuth the wall faces; the whole site turns", ranged=True, fixed=True,
+            tip=gettext("Azimuth that the wall faces; rotates the whole site"), ranged=True,
+            fixed=True,
         )  # fmt: skip
         self.library = widgets.button(
-            "From the sensor library…", "design_sensors",
-            tip="Take the sigmas of a scanner and of an INS/GNSS from the library",
+            gettext("From the sensor library…"), "design_sensors",
+            tip=gettext("Use the standard deviations of a scanner and an INS/GNSS of the library"),
         )  # fmt: skip
         self.library.clicked.connect(lambda _=False: self.library_asked.emit())
         form = QFormLayout()
         form.setFieldGrowthPolicy(form.FieldGrowthPolicy.FieldsStayAtSizeHint)
         self.title.setMinimumWidth(300)
         for label, fields in (
-            ("Title", [self.title]), ("Sensors", [self.library]), ("POS", [self.grade]),
-            ("Adjustment takes", [self.model]),
-            ("North, east, up", self.position), ("Roll, pitch, heading", self.attitude),
-            ("Position, attitude drift in", self.times), ("Targets are flat to", [self.flatness]),
-            ("Pulses, profiles", [self.pulses, self.profiles]),
-            ("Range noise, reach", [self.range_sigma, self.max_range]),
-            ("A line takes", [self.minutes]), ("Wall faces", [self.facing]),
+            (gettext("Title"), [self.title]), (gettext("Sensors"), [self.library]),
+            (gettext("POS class"), [self.grade]), (gettext("Stochastic model"), [self.model]),
+            (gettext("σ north, east, up"), self.position),
+            (gettext("σ roll, pitch, heading"), self.attitude),
+            (gettext("Correlation time: position, attitude"), self.times),
+            (gettext("Form error of targets"), [self.flatness]),
+            (gettext("Pulse rate, profile rate"), [self.pulses, self.profiles]),
+            (gettext("Range σ, maximum range"), [self.range_sigma, self.max_range]),
+            (gettext("Time per line"), [self.minutes]), (gettext("Wall faces"), [self.facing]),
         ):  # fmt: skip
             row = QHBoxLayout()
             row.setContentsMargins(0, 0, 0, 0)
             for field in fields:
                 row.addWidget(field)
             row.addStretch(1)
-            form.addRow(say(label), row)
+            form.addRow(label, row)
         body = QWidget()
         body.setLayout(form)
         self.setWidget(body)
@@ -150,10 +156,10 @@ class SystemPanel(QScrollArea):
         if which < len(GRADES):
             system = self._work.titled.plan.system
             pos = list(GRADES.values())[which]
-            self._change("POS", replace(system, pos=pos))
+            self._change(gettext_lazy("POS class"), replace(system, pos=pos))
 
     def _edit(self, name: str) -> None:
-        """One field changed: the others keep their full digits."""
+        """Apply one field to the plan; the others keep all their digits."""
         if self._showing:
             return
         plan = self._work.titled.plan
@@ -188,17 +194,19 @@ class SystemPanel(QScrollArea):
             plan = replace(plan, flatness=self.flatness.value() / 1000)
         elif name == "design_minutes_line":
             plan = replace(plan, interval=60 * self.minutes.value())
-        self._work.edit("system", replace(self._work.titled, plan=plan), name)
+        self._work.edit(gettext_lazy("System"), replace(self._work.titled, plan=plan), name)
 
-    def _change(self, words: str, system: System) -> None:
-        self._work.edit(words, edits.with_system(self._work.titled, system))
+    def _change(self, name: LazyText, system: System) -> None:
+        self._work.edit(name, edits.with_system(self._work.titled, system))
 
     def _turn(self, facing: float) -> None:
         if not self._showing:
-            self._work.edit("wall faces", edits.wall_faces(self._work.titled, facing), "facing")
+            turned = edits.wall_faces(self._work.titled, facing)
+            self._work.edit(gettext_lazy("Orientation of the wall"), turned, "facing")
 
     def _name(self, title: str) -> None:
         if title.strip():
-            self._work.edit("title", replace(self._work.titled, title=title.strip()), "title")
+            renamed = replace(self._work.titled, title=title.strip())
+            self._work.edit(gettext_lazy("Title"), renamed, "title")
         else:
-            self._work.refused.emit("Title: give the plan a name.")
+            self._work.refused.emit(gettext("Enter a title for the plan."))

@@ -1,4 +1,4 @@
-"""What a plan would give, in numbers and sentences; knows no window."""
+"""Predicted precision of a plan, as numbers and texts."""
 
 from dataclasses import dataclass
 
@@ -10,22 +10,23 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.search import Worth, worth
 from lispac.gui import units
+from lispac.gui.language import local_number
 from lispac.io.plan_file import TitledPlan
+from lispac.language import N_, Plural, gettext, number
 from lispac.progress import Progress, no_progress
 from lispac.workflow.designing import words_of
 
-EMPTY = "Nothing to calibrate with yet: add a target and at least two lines."
-UNKNOWN, OPEN = "–", "open"
+UNKNOWN, OPEN = "–", N_("undetermined")
 
 
 @dataclass(frozen=True, eq=False)
 class Told:
-    """What is told while a line is dragged.
+    """Predicted precision, which is shown while a line is dragged.
 
     Attributes
     ----------
     prediction : Prediction or None
-        None where there is nothing to foretell from.
+        None where the plan has no target or no line.
     refused : whether the adjustment would refuse such a survey
     """
 
@@ -35,7 +36,7 @@ class Told:
 
     @classmethod
     def of(cls, plan: Plan) -> "Told":
-        """Foretell a plan."""
+        """Predict the precision of a plan."""
         if not plan.targets or not plan.lines:
             return cls(plan, None, True)
         found = predict(plan)
@@ -43,49 +44,57 @@ class Told:
 
     @property
     def sigmas(self) -> tuple[str, str, str]:
-        """Of roll, pitch, yaw."""
+        """Standard deviations of roll, pitch and yaw as texts."""
         if self.prediction is None or not self.prediction.determined:
             return UNKNOWN, UNKNOWN, UNKNOWN
-        a, b, c = (sigma_words(float(v)) for v in np.degrees(self.prediction.sigma))
+        a, b, c = (sigma_text(float(v)) for v in np.degrees(self.prediction.sigma))
         return a, b, c
 
     @property
     def correlations(self) -> tuple[str, str, str]:
-        """Roll-pitch, roll-yaw, pitch-yaw."""
+        """Correlations roll-pitch, roll-yaw, pitch-yaw as texts."""
         if self.prediction is None or not self.prediction.determined:
             return UNKNOWN, UNKNOWN, UNKNOWN
         rows = self.prediction.correlation
         a, b, c = (
-            f"{float(v):+.2f}".replace("-", "−") for v in (rows[0, 1], rows[0, 2], rows[1, 2])
+            number(float(v), 2, sign=True).replace("-", "−")
+            for v in (rows[0, 1], rows[0, 2], rows[1, 2])
         )
         return a, b, c
 
 
-def sigma_words(degrees: float) -> str:
-    """A sigma as it is written, in the unit shown."""
+def sigma_text(degrees: float) -> str:
+    """A standard deviation in the unit and the language of the user."""
     if not np.isfinite(degrees):
-        return OPEN
-    return units.figure(degrees, "°", form(degrees))
+        return gettext(OPEN)
+    return local_number(units.figure(degrees, "°", form(degrees)))
 
 
 def form(degrees: float) -> str:
-    """How many decimals a sigma has."""
+    """Format of a standard deviation."""
     return ".4f" if degrees < 5.0 else ".2f"
 
 
 def sentences(plan: Plan, progress: Progress = no_progress) -> tuple[str, ...]:
-    """What the geometry of a plan sees, as after an adjustment."""
-    return words_of(plan, progress=progress) if plan.targets and plan.lines else (EMPTY,)
+    """Observability of the angles, as after an adjustment."""
+    if not plan.targets or not plan.lines:
+        return (gettext("Add a target and at least two lines."),)
+    return words_of(plan, progress=progress)
 
 
 def minutes(titled: TitledPlan) -> str:
-    """Time on site."""
+    """Time on site as a text."""
     plan = titled.plan
-    if not plan.lines:
-        return "no line yet"
-    return f"{plan.duration / 60:.0f} min for {len(plan.lines)} lines, turns included"
+    return gettext(
+        Plural(
+            "Time on site: {minutes:n} min for {count:n} line, turns included",
+            "Time on site: {minutes:n} min for {count:n} lines, turns included",
+        ),
+        minutes=round(plan.duration / 60) if plan.lines else 0,
+        count=len(plan.lines),
+    )
 
 
 def worths(plan: Plan, progress: Progress = no_progress) -> tuple[Worth, ...]:
-    """What each target and line is worth; nothing where one is all there is."""
+    """Information gain of each target and line; empty where there is only one."""
     return worth(plan, Objective(), progress=progress) if plan.targets and plan.lines else ()

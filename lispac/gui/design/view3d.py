@@ -13,6 +13,7 @@ from lispac.gui.design.wall_view import FINE, STEP, moved
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.viewport.base import Handle, PickedPoint, Sketch, Viewport
 from lispac.io.plan_file import TitledPlan
+from lispac.language import gettext_lazy
 from lispac.simulation.closed_form import Ball, Board
 
 SQUARE = ((0, 1), (1, 2), (2, 3), (3, 0))
@@ -111,7 +112,7 @@ class View3D(QObject):
         self._lost = False
         if self._held is not None:
             name, self._held = self._held.name, None
-            self._work.drop(f"move {name}")
+            self._work.drop(gettext_lazy("Move {target}", target=name))
 
 
 def sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketch]:

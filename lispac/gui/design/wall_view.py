@@ -1,4 +1,4 @@
-"""The wall as it is seen from the water: targets are dragged along it and up."""
+"""View of the wall from the water, in which targets are dragged."""
 
 from dataclasses import replace
 
@@ -11,7 +11,8 @@ from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array, Canvas
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
+from lispac.gui.language import local_number
+from lispac.language import LazyText, current_language, gettext, gettext_lazy
 
 LEAST = 8.0
 """Pixels: a board is drawn at least as large."""
@@ -27,18 +28,27 @@ class WallView(Canvas):
     """Right is to the right as seen from the water; zero is the height of the vessel's POS."""
 
     def __init__(self, workspace: Workspace) -> None:
+        unit = units.unit("m").sign
         super().__init__(
-            "wall_view", "Wall from the water: targets", workspace,
-            ("along the wall (m)", "above POS (m)"),
+            "wall_view", gettext("View of the targets on the wall"), workspace,
+            (
+                gettext("along the wall ({unit})", unit=unit),
+                gettext("above the POS ({unit})", unit=unit),
+            ),
         )  # fmt: skip
-        wide, fine = (units.limit(units.step(step, "m"), "m") for step in (STEP, FINE))
-        tip = say(
-            f"Drag a target along the wall and up (in steps of {wide} m, with Shift of "
-            f"{fine} m). Keys: "
-            "Page up and down choose a target, the arrows move it; Insert adds a board, Delete "
-            "removes."
+        wide, fine = (
+            f"{local_number(units.limit(units.step(step, 'm'), 'm'))} {unit}"
+            for step in (STEP, FINE)
         )
-        self.setToolTip(units.signs(tip, "m"))
+        self.setToolTip(
+            gettext(
+                "Drag a target to move it (in steps of {coarse}, with Shift of {fine}). Page "
+                "Up/Down selects a target, the arrow keys move it, Insert adds a board, Delete "
+                "removes the target.",
+                coarse=wide,
+                fine=fine,
+            )
+        )
         self._held: Hung | None = None
         self._from = np.zeros(2)
 
@@ -63,7 +73,7 @@ class WallView(Canvas):
         painter.setPen(QPen(QColor(theme.LEVEL), 1.5, Qt.PenStyle.DashLine))
         painter.drawLine(QPointF(0, level), QPointF(self.width(), level))
         painter.setPen(QColor(theme.MUTED))
-        painter.drawText(QPointF(30, level - 4), say("height of the POS"))
+        painter.drawText(QPointF(30, level - 4), gettext("height of the POS"))
         targets = edits.hung(self.workspace.titled)
         for k in sorted(range(len(targets)), key=lambda k: k == self.workspace.target):
             each, box = targets[k], self._box(targets[k])
@@ -72,11 +82,15 @@ class WallView(Canvas):
             colour.setAlpha(120)
             painter.setBrush(QBrush(colour))
             (painter.drawEllipse if each.ball else painter.drawRect)(box)
-            said = each.name if each.ball else f"{each.name} {each.lean:.0f}°"
-            self.words(painter, box.topLeft() + QPointF(0, -3), said)
+            label = each.name if each.ball else f"{each.name} {each.lean:.0f}°"
+            self.words(painter, box.topLeft() + QPointF(0, -3), label)
             if k == self.workspace.target:
-                along, up = (units.figure(v, "m", "+.2f") for v in (each.along, each.up))
-                place = units.signs(say(f"{along}, {up} m".replace("-", "−")), "m")
+                along, up = (
+                    local_number(units.figure(v, "m", ".2f"), sign=True)
+                    for v in (each.along, each.up)
+                )
+                separator = ", " if current_language() == "en" else "; "
+                place = f"{along}{separator}{up} {units.unit('m').sign}".replace("-", "−")
                 self.words(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
@@ -109,11 +123,11 @@ class WallView(Canvas):
         to = moved(self._held, float(along), float(up), FINE if free else STEP)
         self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
 
-    def dropped(self) -> str:
-        """Let go of the target."""
+    def dropped(self) -> LazyText:
+        """Release the target; name of the undo step."""
         name = "" if self._held is None else self._held.name
         self._held = None
-        return f"move {name}"
+        return gettext_lazy("Move {target}", target=name)
 
     # -- keys --------------------------------------------------------------------------------
 
@@ -129,7 +143,9 @@ class WallView(Canvas):
             work.select(target=(work.target + (1 if key == Key.Key_PageDown else -1)) % count)
         elif key in arrows:
             work.change_target(
-                "move target", lambda each: moved(each, *arrows[key], FINE), f"hang {work.target}"
+                gettext_lazy("Move target"),
+                lambda each: moved(each, *arrows[key], FINE),
+                f"hang {work.target}",
             )
         elif key == Key.Key_Insert:
             work.add_target()

@@ -1,4 +1,4 @@
-"""The window in which a site is designed: views, tables, what is expected, and long work."""
+"""Window for survey design: views of the site, tables, predicted precision, long computations."""
 
 from collections.abc import Callable, Sequence
 
@@ -25,60 +25,68 @@ from lispac.gui.design.system import SystemPanel
 from lispac.gui.design.view3d import View3D
 from lispac.gui.design.wall_view import WallView
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.viewport.base import Viewport
 from lispac.io.plan_file import TitledPlan
+from lispac.language import N_, gettext, gettext_lazy
 from lispac.workflow.replay import Replay
 
-COMPARE = (
-    "After the survey: open its project in the main window, and this plan here, and compare (F11). "
-    "Targets go by their names, lines by their headings."
+COMPARE = N_(
+    "After the survey, open its project in the main window and its plan here, then compare (F11). "
+    "Targets are matched by name, lines by heading."
 )
 NOTE_MS = 6000
 Keys = QKeySequence.StandardKey
 
 # name: (text, short text, icon, keys, tip)
 ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
-    "new": ("&New plan", "New", "file-outline", Keys.New, "Begin with the thesis's plan"),
-    "open": ("&Open plan…", "Open", "folder-open-outline", Keys.Open, "Open a plan"),
-    "save": ("&Save plan", "Save", "content-save-outline", Keys.Save, "Save the plan"),
-    "save_as": ("Save plan &as…", "Save as", "", Keys.SaveAs, "Save the plan in another file"),
-    "page": ("&Field plan…", "Field plan", "file-document-outline", "Ctrl+E",
-             "Write a page for the field as PDF: drawing, boards, lines in their order"),
-    "close": ("&Close", "Close", "", Keys.Close, "Close this window; the plan stays"),
-    "undo": ("&Undo", "Undo", "undo", Keys.Undo, "Take the last edit back"),
-    "redo": ("&Redo", "Redo", "redo", ("Ctrl+Y", "Ctrl+Shift+Z"), "Make the edit again"),
-    "add_line": ("Add &line", "Line", "plus", "Ctrl+L",
-                 "Add the selected line the other way round"),
-    "duplicate": ("&Duplicate line", "Duplicate", "content-copy", "Ctrl+D",
-                  "Sail the selected line again"),
-    "earlier": ("Line &earlier", "Earlier", "", "Alt+Up", "Sail the selected line a turn earlier"),
-    "later": ("Line la&ter", "Later", "", "Alt+Down", "Sail the selected line a turn later"),
-    "add_board": ("Add &board", "Board", "square-outline", "Ctrl+B", "Hang one more board"),
-    "add_ball": ("Add b&all", "Ball", "circle-outline", "Ctrl+Shift+B", "Put up one more ball"),
-    "fit": ("&Fit the 3D view", "Fit view", "fit-to-page-outline", "Ctrl+0",
-            "Look at all of the site in 3D again"),
-    "scenarios": ("Sc&enarios", "Scenarios", "chart-bar", "F9",
-                  "Change one thing at a time, in both stochastic models"),
-    "surveys": ("Simulate &surveys…", "Surveys", "dice-multiple-outline", "F10",
-                "Sail this plan many times in the simulator: do the sigmas hold?"),
-    "compare": ("Compare with the &open project", "Compare", "compare-horizontal", "F11",
-                "Foretold and obtained sigmas of the survey in the main window"),
-    "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
-               "Stop; nothing is changed"),
-    "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
+    "new": (N_("&New plan"), N_("New"), "file-outline", Keys.New,
+            N_("Start with the plan of the thesis")),
+    "open": (N_("&Open plan…"), N_("Open"), "folder-open-outline", Keys.Open, N_("Open a plan")),
+    "save": (N_("&Save plan"), N_("Save"), "content-save-outline", Keys.Save, N_("Save the plan")),
+    "save_as": (N_("Save plan &as…"), N_("Save as"), "", Keys.SaveAs,
+                N_("Save the plan in another file")),
+    "page": (N_("&Field plan…"), N_("Field plan"), "file-document-outline", "Ctrl+E",
+             N_("Write a page for the field as PDF: drawing, boards and the order of the lines")),
+    "close": (N_("&Close"), N_("Close"), "", Keys.Close, N_("Close this window and keep the plan")),
+    "undo": (N_("&Undo"), N_("Undo"), "undo", Keys.Undo, N_("Undo the last edit")),
+    "redo": (N_("&Redo"), N_("Redo"), "redo", ("Ctrl+Y", "Ctrl+Shift+Z"),
+             N_("Redo the edit that was undone")),
+    "add_line": (N_("Add &line"), N_("Line"), "plus", "Ctrl+L",
+                 N_("Add the selected line in the opposite direction")),
+    "duplicate": (N_("&Duplicate line"), N_("Duplicate"), "content-copy", "Ctrl+D",
+                  N_("Survey the selected line once more")),
+    "earlier": (N_("Line &earlier"), N_("Earlier"), "", "Alt+Up",
+                N_("Move the selected line one place forward in the order")),
+    "later": (N_("Line la&ter"), N_("Later"), "", "Alt+Down",
+              N_("Move the selected line one place back in the order")),
+    "add_board": (N_("Add &board"), N_("Board"), "square-outline", "Ctrl+B", N_("Add a board")),
+    "add_ball": (N_("Add &sphere"), N_("Sphere"), "circle-outline", "Ctrl+Shift+B",
+                 N_("Add a spherical target")),
+    "fit": (N_("&Fit the 3D view"), N_("Fit view"), "fit-to-page-outline", "Ctrl+0",
+            N_("Show the whole site in the 3D view")),
+    "scenarios": (N_("Sc&enarios"), N_("Scenarios"), "chart-bar", "F9",
+                  N_("Predict the precision with one quantity changed at a time, in both "
+                     "stochastic models")),
+    "surveys": (N_("Simulate &surveys…"), N_("Surveys"), "dice-multiple-outline", "F10",
+                N_("Simulate this survey many times to check the predicted standard deviations")),
+    "compare": (N_("Compare with the &open project"), N_("Compare"), "compare-horizontal", "F11",
+                N_("Compare predicted and obtained standard deviations of the open project")),
+    "cancel": (N_("&Cancel the running task"), N_("Cancel"), "close-circle-outline", "Ctrl+.",
+               N_("Stop the running task; nothing is changed")),
+    "keys": (N_("&Mouse and keys"), N_("Keys"), "keyboard-outline", "F1",
+             N_("Show the mouse and keyboard actions")),
 }  # fmt: skip
 MENUS = {
-    "&File": ("new", "open", "", "save", "save_as", "", "page", "", "close"),
-    "&Edit": (
+    N_("&File"): ("new", "open", "", "save", "save_as", "", "page", "", "close"),
+    N_("&Edit"): (
         "undo", "redo", "", "add_line", "duplicate", "earlier", "later", "", "add_board",
         "add_ball",
     ),
-    "&View": ("fit",),
-    "&Work": ("scenarios", "surveys", "compare", "", "cancel"),
-    "&Help": ("keys",),
+    N_("&View"): ("fit",),
+    N_("&Tools"): ("scenarios", "surveys", "compare", "", "cancel"),
+    N_("&Help"): ("keys",),
 }  # fmt: skip
 TOOLBAR = (
     "new", "open", "save", "page", "", "undo", "redo", "", "add_line", "duplicate", "add_board",
@@ -132,15 +140,15 @@ class DesignWindow(QMainWindow):
         left.addWidget(above)
         work = self.workspace
         self.plan_view, self.wall_view = PlanView(work), WallView(work)
-        above.addWidget(_titled("From above", self.plan_view))
+        above.addWidget(_titled(N_("Plan view"), self.plan_view))
         self.views = _tabs("design_views")
         above.addWidget(self.views)
         above.setSizes([500, 500])
         self._stage, self.pictures = QWidget(), PicturesPanel()
         QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
         _fill(self.views, (
-            ("Wall from the water", self.wall_view), ("3D", self._stage),
-            ("Figures", self.pictures),
+            (N_("Wall from the water"), self.wall_view), (N_("3D"), self._stage),
+            (N_("Figures"), self.pictures),
         ))  # fmt: skip
         self.views.currentChanged.connect(self._view_chosen)
         self.tabs = _tabs("design_tabs")
@@ -151,11 +159,11 @@ class DesignWindow(QMainWindow):
         self.lines, self.targets = LinesList(work), TargetsList(work)
         self.system, self.search = SystemPanel(work), SearchPanel(work)
         self.surveys = SurveysPanel()
-        self.compared = AnglesTable("design_compared", COMPARE)
+        self.compared = AnglesTable("design_compared", gettext(COMPARE))
         _fill(self.tabs, (
-            ("Lines", self.lines), ("Targets", self.targets), ("POS and scanner", self.system),
-            ("Find the best plan", self.search), ("Simulate surveys", self.surveys),
-            ("Compare", _scrolled(self.compared)),
+            (N_("Lines"), self.lines), (N_("Targets"), self.targets),
+            (N_("POS and scanner"), self.system), (N_("Find the best plan"), self.search),
+            (N_("Simulate surveys"), self.surveys), (N_("Compare"), _scrolled(self.compared)),
         ))  # fmt: skip
         self.results = ResultsPanel(work)
         both.addWidget(self.results)
@@ -168,12 +176,12 @@ class DesignWindow(QMainWindow):
         self.task_bar.addWidget(self.mistake, 1)
         self.setStatusBar(self.task_bar)
         for table in (self.lines.table, self.targets.table):
-            table.mistake.connect(lambda text: self.mistake.setText(say(text)))
+            table.mistake.connect(self.mistake.setText)
         for title, names in MENUS.items():
-            menu = self.menuBar().addMenu(say(title))
+            menu = self.menuBar().addMenu(gettext(title))
             for name in names:
                 menu.addAction(self.actions_[name]) if name else menu.addSeparator()
-        bar = self.addToolBar(say("Toolbar"))
+        bar = self.addToolBar(gettext("Toolbar"))
         bar.setObjectName("design_toolbar")
         bar.setMovable(False)
         bar.setIconSize(QSize(20, 20))
@@ -185,9 +193,9 @@ class DesignWindow(QMainWindow):
 
     def _action(self, name: str) -> QAction:
         text, short, icon, keys, tip = ACTIONS[name]
-        action = QAction(say(text), self)
+        action = QAction(gettext(text), self)
         action.setObjectName(f"design_{name}")
-        action.setIconText(say(short))
+        action.setIconText(gettext(short))
         if icon:
             action.setIcon(theme.icon(icon))
         if isinstance(keys, tuple):
@@ -195,22 +203,26 @@ class DesignWindow(QMainWindow):
         else:
             action.setShortcut(QKeySequence(keys))
         shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{say(tip)} ({shown})" if shown else say(tip))
-        action.setStatusTip(say(tip))
+        action.setToolTip(f"{gettext(tip)} ({shown})" if shown else gettext(tip))
+        action.setStatusTip(gettext(tip))
         return action
 
     # -- what is shown -----------------------------------------------------------------------
 
     def _show(self) -> None:
         history = self.workspace.history
-        for name, words in (("undo", history.to_undo), ("redo", history.to_redo)):
-            action = self.actions_[name]
-            action.setEnabled(bool(words))
-            action.setText(say(f"&{name.capitalize()} {words}".strip()))
-            action.setIconText(say(name.capitalize()))
+        for name, title, edit in (
+            ("undo", N_("&Undo: {edit}"), history.to_undo),
+            ("redo", N_("&Redo: {edit}"), history.to_redo),
+        ):
+            action, (usual, *_) = self.actions_[name], ACTIONS[name]
+            action.setEnabled(edit is not None)
+            action.setText(gettext(usual) if edit is None else gettext(title, edit=str(edit)))
+            action.setIconText(gettext(ACTIONS[name][1]))
         for answer in (self.surveys.answer, self.compared):
             answer.follow(self.workspace.titled.plan)
-        self.setWindowTitle(say(f"{self.workspace.titled.title}[*] – design of a site – LISPAC"))
+        design = gettext("Survey design")
+        self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
         self.setWindowModified(history.changed)
         self.actions_["save"].setEnabled(history.changed)
 
@@ -223,13 +235,13 @@ class DesignWindow(QMainWindow):
         self.actions_["cancel"].setEnabled(busy)
 
     def note(self, text: str) -> None:
-        """Say something in passing."""
-        self.task_bar.showMessage(say(text), NOTE_MS)
+        """Show a text in the status bar for some seconds."""
+        self.task_bar.showMessage(text, NOTE_MS)
 
     def show_pictures(self) -> None:
         """Bring what long work found to the front, but for a drag it would take the view from."""
         if self.workspace.dragging:
-            self.note("Done: the figures are beside the views")
+            self.note(gettext("The figures are ready in the tab Figures."))
         else:
             self.views.setCurrentWidget(self.pictures)
 
@@ -241,8 +253,11 @@ class DesignWindow(QMainWindow):
 
     def show_compared(self, found: Replay, project: str, titled: TitledPlan) -> None:
         """Show the survey of a project against a plan."""
-        head = f"{project} against {titled.title}: 1 sigma, deg"
-        self.compared.show_rows(head, found.rows, found.words, titled.plan)
+        head = gettext_lazy(
+            "{project} compared with {plan}: standard deviations (deg)",
+            project=project, plan=titled.title,
+        )  # fmt: skip
+        self.compared.show_result(head, found, titled.plan)
         self.compared.follow(self.workspace.titled.plan)
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
@@ -262,10 +277,9 @@ class DesignWindow(QMainWindow):
             self._stage.layout().addWidget(viewport.widget)
             self.view3d = View3D(self.workspace, viewport)
             viewport.widget.setToolTip(
-                say(
-                    "Ctrl+click on a target selects it, on the wall hangs the selected "
-                    "one there; drag "
-                    "a dot beside it to move it along the wall, up, or off it"
+                gettext(
+                    "Ctrl+click on a target to select it, on the wall to move the selected target "
+                    "there. Drag a handle of a target to move it."
                 )
             )
         self.view3d.show()
@@ -313,7 +327,7 @@ def _tabs(name: str) -> QTabWidget:
 
 def _fill(tabs: QTabWidget, pages: Sequence[tuple[str, QWidget]]) -> None:
     for title, page in pages:
-        tabs.addTab(page, say(title))
+        tabs.addTab(page, gettext(title))
 
 
 def _scrolled(page: QWidget) -> QScrollArea:

@@ -1,4 +1,4 @@
-"""The plan that is being designed: what all views of it show, and change by edits."""
+"""The plan being designed, its selection and its edits."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -10,6 +10,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.history import History
 from lispac.io.plan_file import TitledPlan
+from lispac.language import LazyText, gettext, gettext_lazy
 
 
 class Workspace(QObject):
@@ -25,7 +26,7 @@ class Workspace(QObject):
     """Another plan, or another step of a drag."""
     selected = Signal()
     refused = Signal(str)
-    """Says why something was not done."""
+    """The reason why an edit was refused."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -55,10 +56,10 @@ class Workspace(QObject):
         self.line, self.target = former.line, former.target
         self._tell()
 
-    def edit(self, words: str, titled: TitledPlan, key: str = "") -> None:
-        """One undo step; edits of the same ``key`` after each other are one."""
+    def edit(self, name: LazyText, titled: TitledPlan, key: str = "") -> None:
+        """Make one undo step; edits of the same ``key`` in a row are one step."""
         self._dragged = None
-        self.history.push(words, titled, key)
+        self.history.push(name, titled, key)
         self._tell()
 
     def drag(self, titled: TitledPlan) -> None:
@@ -66,25 +67,25 @@ class Workspace(QObject):
         self._dragged = titled
         self.changed.emit()
 
-    def drop(self, words: str) -> None:
-        """The drag ends here: one undo step."""
+    def drop(self, name: LazyText) -> None:
+        """End the drag as one undo step."""
         if self._dragged is not None:
-            self.edit(words, self._dragged)
+            self.edit(name, self._dragged)
 
     def give_up(self) -> None:
-        """The drag ends where it began."""
+        """Cancel the drag."""
         if self._dragged is not None:
             self._dragged = None
             self.changed.emit()
 
     def undo(self) -> None:
-        """One step back."""
+        """Undo one edit."""
         self.give_up()
         self.history.undo()
         self._tell()
 
     def redo(self) -> None:
-        """One step forth."""
+        """Redo one edit."""
         self.give_up()
         self.history.redo()
         self._tell()
@@ -106,25 +107,29 @@ class Workspace(QObject):
             self.target = target
         self.selected.emit()
 
-    def change_line(self, words: str, change: Callable[[Line], Line], key: str = "") -> None:
+    def change_line(self, name: LazyText, change: Callable[[Line], Line], key: str = "") -> None:
         """Change the selected line."""
         if self.line >= 0:
             line = change(self.titled.plan.lines[self.line])
-            self.edit(words, edits.with_line(self.titled, self.line, line), key)
+            self.edit(name, edits.with_line(self.titled, self.line, line), key)
 
-    def change_target(self, words: str, change: Callable[[Hung], Hung], key: str = "") -> None:
+    def change_target(self, name: LazyText, change: Callable[[Hung], Hung], key: str = "") -> None:
         """Change the selected target."""
         if self.target >= 0:
             target = change(edits.hung(self.titled)[self.target])
-            self.edit(words, edits.with_target(self.titled, self.target, target), key)
+            self.edit(name, edits.with_target(self.titled, self.target, target), key)
 
     # -- more and less -----------------------------------------------------------------------
 
     def add_line(self, *, again: bool = False) -> None:
-        """One more line after the selected one: the same, or the other way round."""
+        """Add a line after the selected one: the same, or in the opposite direction."""
         lines, wall = self.titled.plan.lines, self.titled.wall
         if len(lines) >= edits.MOST_LINES:
-            self.refused.emit(f"A plan has at most {edits.MOST_LINES} lines; remove one first.")
+            self.refused.emit(
+                gettext(
+                    "A plan has at most {most:n} lines. Remove a line first.", most=edits.MOST_LINES
+                )
+            )
             return
         if not lines:
             line = edits.turned(Line(0.0), wall, wall.facing_deg + 90.0)
@@ -134,23 +139,23 @@ class Workspace(QObject):
                 line = edits.turned(line, wall, line.heading_deg + 180.0)
         titled = edits.line_put_in(self.titled, self.line + 1, line)
         self.line += 1
-        self.edit("duplicate line" if again else "add line", titled)
+        self.edit(gettext_lazy("Duplicate line") if again else gettext_lazy("Add line"), titled)
 
     def remove_line(self) -> None:
         """Remove the selected line."""
         if self.line >= 0:
-            self.edit("remove line", edits.line_removed(self.titled, self.line))
+            self.edit(gettext_lazy("Remove line"), edits.line_removed(self.titled, self.line))
 
     def sail_line(self, earlier: bool) -> None:
-        """The selected line one turn earlier or later."""
+        """Move the selected line one place in the order."""
         turn = self.line + (-1 if earlier else 1)
         if self.line >= 0 and 0 <= turn < len(self.titled.plan.lines):
             titled = edits.line_sailed(self.titled, self.line, turn)
             self.line = turn
-            self.edit("order of lines", titled)
+            self.edit(gettext_lazy("Order of lines"), titled)
 
     def add_target(self, *, ball: bool = False, place: tuple[float, float] | None = None) -> None:
-        """One more board or ball, to the right of the selected target or at a place.
+        """Add a board or a sphere to the right of the selected target or at a place.
 
         Parameters
         ----------
@@ -159,7 +164,12 @@ class Workspace(QObject):
         """
         there = edits.hung(self.titled)
         if len(there) >= edits.MOST_TARGETS:
-            self.refused.emit(f"A plan has at most {edits.MOST_TARGETS} targets; remove one first.")
+            self.refused.emit(
+                gettext(
+                    "A plan has at most {most:n} targets. Remove a target first.",
+                    most=edits.MOST_TARGETS,
+                )
+            )
             return
         last = there[self.target] if there else Hung("", -2.0, 0.0, 5.0)
         along, up = place or (last.along + 2.0, last.up)
@@ -170,11 +180,10 @@ class Workspace(QObject):
         if ball:
             new = replace(new, width=0.2, height=0.2)
         self.target = len(there)
-        self.edit("add ball" if ball else "add board", edits.with_target(
-            self.titled, len(there), new
-        ))  # fmt: skip
+        name = gettext_lazy("Add sphere") if ball else gettext_lazy("Add board")
+        self.edit(name, edits.with_target(self.titled, len(there), new))
 
     def remove_target(self) -> None:
         """Remove the selected target."""
         if self.target >= 0:
-            self.edit("remove target", edits.target_removed(self.titled, self.target))
+            self.edit(gettext_lazy("Remove target"), edits.target_removed(self.titled, self.target))
