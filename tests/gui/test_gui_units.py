@@ -42,7 +42,7 @@ SOON_MS = 20_000
 METRIC_FOR_ALL = (
     "with the middle of the targets \\d+ m to (port|starboard)",  # sentences of the core
     "has no points within [.\\d]+ m of the seed",
-    "^Lever arm there, from the POS centre: ",  # typed into a program that is metric
+    "^Lever arm in that program, from the POS centre: ",  # typed into a program that is metric
     "4x4 with the lever arm in metres$",
 )
 """Of texts that have metric figures for everybody, with their unit."""
@@ -149,7 +149,7 @@ def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial:
     assert sigma.value() == 0.00123456789
     sigma.setText("0.01")
     assert sigma.value() == pytest.approx(0.01 * FOOT)
-    assert sigma.toolTip() == "How well, in ft. Empty: not known."
+    assert sigma.toolTip() == "How well, in ft. If empty: not known."
 
 
 def test_the_window_shows_one_unit_and_the_project_stays(
