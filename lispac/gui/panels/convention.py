@@ -16,7 +16,12 @@ from lispac.errors import InputError
 from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
-from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
+from lispac.gui.panels.convention_inputs import (
+    CurrentSettings,
+    GivenBoresight,
+    ImuAxes,
+    program_name,
+)
 from lispac.gui.panels.convention_table import AnglesTable
 from lispac.gui.panels.gizmo import Gizmo
 from lispac.gui.panels.matrix_field import MatrixField
@@ -95,7 +100,7 @@ class ConventionPanel(QWidget):
         self.system.setObjectName("convention_system")
         self.system.setAccessibleName(gettext("Program for which the angles are computed"))
         for each in SYSTEMS:
-            self.system.addItem(gettext(_STATUSES[each.status][1], program=say(each.name)))
+            self.system.addItem(gettext(_STATUSES[each.status][1], program=program_name(each)))
         self.system.setMinimumContentsLength(24)
         self.system.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -323,9 +328,9 @@ class ConventionPanel(QWidget):
         self.gizmo.show_boresight(np.asarray(mounting.plain.boresight, dtype=float))
 
     def _show_matrix(self, stated: Stated) -> None:
-        name = stated.setup.convention.name
+        name = program_name(stated.setup.convention)
         self.matrix_head.setText(
-            gettext("Scanner to body in {program}, with the lever arm", program=say(name))
+            gettext("Scanner to body in {program}, with the lever arm", program=name)
         )
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)

@@ -29,6 +29,17 @@ MEANINGS = (
     N_("Positive clockwise seen from above"),
 )
 """Signs of roll, pitch and yaw."""
+TRANSLATED_PROGRAMS = (
+    N_("This program (iXblue)"),
+    N_("Phoenix SpatialExplorer 6 and later"),
+    N_("Phoenix SpatialExplorer 1 to 5"),
+)
+"""Names of programs that differ between languages."""
+
+
+def program_name(convention: Convention) -> str:
+    """Name of a program in the user's language."""
+    return gettext(convention.name)
 
 
 class GivenBoresight(QWidget):
@@ -215,7 +226,9 @@ class CurrentSettings(QWidget):
             field.setToolTip(
                 gettext(
                     "Present {angle} in {program}, {meaning}",
-                    angle=say(turn.name), program=say(convention.name), meaning=say(turn.meaning),
+                    angle=say(turn.name),
+                    program=program_name(convention),
+                    meaning=say(turn.meaning),
                 )
             )  # fmt: skip
             field.setAccessibleName(gettext("Present {angle}", angle=say(turn.name)))
