@@ -155,7 +155,7 @@ class ParameterSwitches(QWidget):
             grid.addWidget(self._prior(kind), row, 1)
             sigma = OptionalNumber(
                 f"sigma_{kind.name}", gettext(kind.sigma_title), kind.unit, kind.scale,
-                gettext("not known"), gettext("Standard deviation of the prior"),
+                gettext("unknown"), gettext("Standard deviation of the prior"),
             )  # fmt: skip
             sigma.textChanged.connect(self.changed)
             sigma.setFixedWidth(78)

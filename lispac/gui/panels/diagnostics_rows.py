@@ -356,7 +356,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
             shown(estimate.value),
             shown(estimate.sigma, signed=False),
             shown(estimate.prior),
-            Cell(gettext("not known"))
+            Cell(gettext("unknown"))
             if estimate.prior_sigma is None
             else shown(estimate.prior_sigma, signed=False),
             number(estimate.significance, "+.1f"),
