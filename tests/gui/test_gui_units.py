@@ -142,6 +142,26 @@ def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
     assert field(" m", 4).suffix() == " ft"
 
 
+@pytest.mark.parametrize(
+    ("code", "texts"),
+    [
+        ("en", ("−1,234.5\u00a0mm", "+0.0120°", "2e−05\u00a0m", "0.001°")),
+        ("fr", ("−1\u202f234,5\u00a0mm", "+0,0120°", "2e−05\u00a0m", "0,001°")),
+    ],
+)
+def test_figures_are_written_as_in_the_language(code: str, texts: tuple[str, ...]) -> None:
+    speak(code)
+    try:
+        assert texts == (
+            units.local_amount(-1234.5, "mm", ".1f"),
+            units.local_amount(0.012, "°", "+.4f"),
+            units.local_amount(2e-5, "m", "g"),
+            units.local_sign("m°"),
+        )
+    finally:
+        speak("en")
+
+
 def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial: None) -> None:
     sigma = OptionalNumber("s", "Sigma", "mm", 1e3, "not known", "How well")
     assert sigma.value() is None

@@ -247,15 +247,15 @@ class ModelSettings(QWidget):
 
 
 def _row(*fields: QWidget) -> QWidget:
-    made = QWidget()
-    row = QHBoxLayout(made)
+    widget = QWidget()
+    row = QHBoxLayout(widget)
     row.setContentsMargins(0, 0, 0, 0)
     row.setSpacing(4)
     for field in fields:
         row.addWidget(field)
-    return made
+    return widget
 
 
-def _kept(shown: float, before: float, step: float) -> float:
+def _kept(displayed: float, before: float, step: float) -> float:
     """The value with all its digits where the field was not changed."""
-    return before if abs(shown - before) < step else shown
+    return before if abs(displayed - before) < step else displayed

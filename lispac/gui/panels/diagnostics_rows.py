@@ -183,7 +183,7 @@ def parameter_columns() -> tuple[Column, ...]:
 
 
 def sighting_rows(result: AdjustmentResult) -> list[Row]:
-    """One row for each sighting that took part."""
+    """One row for each sighting that was used."""
     tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
     critical = critical_w(result) or np.inf
     return [
@@ -200,14 +200,14 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         number(residual.rms_before, ".1f", MM),
         number(residual.rms_after, ".1f", MM),
     ]
-    names = [Cell(sighting.target), Cell(sighting.line)]
+    names = [Cell(sighting.target, named=True), Cell(sighting.line, named=True)]
     if test is None:
         cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("no test"))]
         return Row(cells, key, tip=gettext(FOLLOW))
-    remark, odd = "", standing(test, critical) == "disagrees"
+    remark, disagrees = "", standing(test, critical) == "disagrees"
     if test.released:
         remark = gettext("rejected: disagrees")
-    elif odd:
+    elif disagrees:
         remark = gettext("w beyond {limit:x.2}", limit=critical)
     elif test.strays > 0.05 * residual.points:
         remark = gettext("many outliers")
@@ -232,7 +232,7 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
         Cell(remark),
     ]
-    return Row(cells, key, marked=test.released or odd, tip=gettext(FOLLOW))
+    return Row(cells, key, marked=test.released or disagrees, tip=gettext(FOLLOW))
 
 
 def _worst_point(test: SightingReliability) -> Cell:
@@ -261,16 +261,16 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         remark = gettext("rougher than given") if rough else ""
         if rejected:
             remark = gettext("rejected on {lines:names}", lines=rejected)
-        held = [abs(r.w) for r in tests if not r.released]
+        test_values = [abs(r.w) for r in tests if not r.released]
         cells = [
-            Cell(target.target),
+            Cell(target.target, named=True),
             Cell(gettext("sphere") if target.sphere else gettext("plane")),
             number(lines, ",.0f"),
             number(target.points, ",.0f"),
             number(target.rms_before, ".1f", MM),
             number(target.rms_after, ".1f", MM),
             number(target.noise, ".2f") if result.model.correlated else number(None, ""),
-            number(max(held, default=None), ".2f"),
+            number(max(test_values, default=None), ".2f"),
             number(sum(r.strays for r in tests), ",.0f") if tests else number(None, ""),
             Cell(remark),
         ]
@@ -345,7 +345,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
     for estimate in result.parameters:
         kind = KINDS[estimate.name]
 
-        def shown(value: float | None, kind=kind, signed: bool = True) -> Cell:
+        def cell(value: float | None, kind=kind, signed: bool = True) -> Cell:
             if value is None:
                 return Cell("–")
             return Cell(kind.amount(value, signed=signed), value, named=True)
@@ -353,12 +353,12 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
         remark = estimate.reason or _significance_text(estimate)
         cells = [
             Cell(gettext(kind.title)),
-            shown(estimate.value),
-            shown(estimate.sigma, signed=False),
-            shown(estimate.prior),
+            cell(estimate.value),
+            cell(estimate.sigma, signed=False),
+            cell(estimate.prior),
             Cell(gettext("unknown"))
             if estimate.prior_sigma is None
-            else shown(estimate.prior_sigma, signed=False),
+            else cell(estimate.prior_sigma, signed=False),
             number(estimate.significance, "+.1f"),
             Cell(remark),
         ]

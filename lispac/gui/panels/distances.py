@@ -95,7 +95,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
 def profiles_text(comparison: PlaneComparison) -> str:
     """The distances against height and range as a table, tabs between the columns."""
     rows = []
-    for what, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
+    for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
         if profile is None:
             continue
         values = (
@@ -104,7 +104,7 @@ def profiles_text(comparison: PlaneComparison) -> str:
         for k, n in enumerate(profile.n):
             low, high = profile.edges[k : k + 2]
             cells = ("" if np.isnan(each[k]) else f"{1000 * each[k]:.3f}" for each in values)
-            rows.append((what, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
+            rows.append((title, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
     heads = (
         "Against", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
         "95 % before (mm)", "95 % after (mm)",

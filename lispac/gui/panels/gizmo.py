@@ -1,4 +1,4 @@
-"""A small picture of the scanner's axes in the body's, turned with the mouse."""
+"""A small picture of the scanner axes in the body frame, rotated with the mouse."""
 
 import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
@@ -64,7 +64,7 @@ def _rotation_vector(boresight: np.ndarray) -> np.ndarray:
 
 
 class Gizmo(QWidget):
-    """Body axes in grey, scanner axes in colour with the turn exaggerated."""
+    """Body axes in grey, scanner axes in colour with the rotation enlarged."""
 
     def __init__(self) -> None:
         super().__init__()
