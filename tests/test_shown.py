@@ -14,9 +14,9 @@ from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_rows import (
-    SIGHTINGS,
     check_rows,
     parameter_rows,
+    sighting_columns,
     sighting_rows,
     spread_words,
 )
@@ -90,10 +90,10 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     near = replace(first, w=critical - 0.01, released=False, strays=0)
     beyond = replace(second, w=-critical - 0.01, released=False, strays=0)
     rows = sighting_rows(replace(result, reliability=(near, beyond, *rest)))
-    assert SIGHTINGS[-1].title == "Remark"
+    assert sighting_columns()[-1].title == "Remark"
     assert [row.marked for row in rows[:2]] == [False, True]
     assert [row.cells[-1].text for row in rows[:2]] == ["", f"w beyond {critical:.2f}"]
-    assert all(len(row.cells) == len(SIGHTINGS) for row in rows)
+    assert all(len(row.cells) == len(sighting_columns()) for row in rows)
 
 
 def test_the_spread_has_one_name_and_the_halves_are_told_once(
@@ -214,7 +214,7 @@ def test_the_point_farthest_off_is_told_with_its_time_everywhere(
     told = numbers(result, None)["reliability"]
     assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert told[1]["largest_w_time_s"] is None
-    place = [column.title for column in SIGHTINGS].index("Largest point w")
+    place = [column.title for column in sighting_columns()].index("Largest point w")
     cells = [row.cells[place] for row in sighting_rows(result)]
     assert (cells[0].text, cells[0].value) == ("12.3 at 416012.500 s", 12.34)
     assert cells[1].text == "2.9"

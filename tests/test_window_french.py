@@ -33,8 +33,6 @@ NOT_SAID = {
     "Quality | None", "str | tuple[str, Menu]", "7 does not say how it shows a result",
     # of names and numbers in a table
     "<td align='right'>&nbsp;&nbsp;<b>7</b></td>", "<td align='right'>&nbsp;&nbsp;7</td>",
-    # filled with what a page is to show, and said then
-    "Nothing estimated yet: press Estimate in step 3, and {what} here.",
 }  # fmt: skip
 """Strings of these modules that nobody is shown."""
 

@@ -13,6 +13,8 @@ from math import floor, log10, radians
 from types import MappingProxyType
 from typing import Literal
 
+from lispac.language import number
+
 Base = Literal["m", "mm", "°", "m°"]
 
 
@@ -105,6 +107,32 @@ def amount(value: float, base: Base, form: str) -> str:
     """The same with its sign, as it stands in a sentence."""
     sign = _used[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
+
+
+def localised(text: str) -> str:
+    """A figure in English notation as in the user's language, with a true minus sign."""
+    if "e" not in text:
+        decimals = len(text.partition(".")[2])
+        text = number(float(text.replace(",", "")), decimals, sign=text.startswith("+"))
+    return text.replace("-", "\N{MINUS SIGN}")
+
+
+def local_figure(value: float, base: Base, form: str) -> str:
+    """A figure as `figure` makes it, written as in the user's language."""
+    return localised(figure(value, base, form))
+
+
+def local_sign(base: Base) -> str:
+    """The sign of the unit shown, written as in the user's language."""
+    sign = _used[base].sign
+    return f"{localised(sign[:-1])}°" if sign[0].isdigit() else sign
+
+
+def local_amount(value: float, base: Base, form: str) -> str:
+    """A value with the sign of its unit, written as in the user's language."""
+    sign = local_sign(base)
+    blank = "" if sign in "°′″" else "\N{NO-BREAK SPACE}"
+    return f"{local_figure(value, base, form)}{blank}{sign}"
 
 
 def limit(value: float, base: Base) -> str:

@@ -162,11 +162,11 @@ def test_the_point_count_is_that_of_the_result_where_there_is_one(
     open_step(driver, 2)
     driver.rest()
     panel, points = driver.window.adjust, estimated.result.points
-    assert f"<b>{points:,} points</b> took part, in 12 sightings" in panel.count.text()
+    assert f"<b>{points:,} points</b> used, in 12 sightings" in panel.count.text()
     panel.parameters.switches["lever_x"].click()
     assert panel.count.text().startswith("About <b>")
     panel.show_count(1, 1, 1)
-    assert panel.count.text() == "<b>All 1</b> points take part, in 1 sighting."
+    assert panel.count.text() == "All points are used: <b>1 point</b> in 1 sighting."
 
 
 def test_a_lever_arm_typed_wrong_is_found(picked: Driver):

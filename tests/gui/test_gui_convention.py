@@ -87,7 +87,7 @@ def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel
     qtbot.mouseClick(panel.copy_angles, Left)
     copied = [line.split("\t") for line in QApplication.clipboard().text().splitlines()]
     assert [name for name, _ in copied] == list(panel.convention.names)
-    assert [float(value) for _, value in copied] == rows(panel)["If so"]
+    assert [float(value) for _, value in copied] == rows(panel)["If it holds"]
 
 
 def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
@@ -95,7 +95,7 @@ def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) ->
     type_in(qtbot, panel.given.lever_arm.fields[0], "-0.186")
     assert panel.convention.key == "applanix"
     assert heads(panel) == ["Roll", "Pitch", "Heading"]
-    assert rows(panel) == {"Type in": [0.13, 0.12, 0.28]}
+    assert rows(panel) == {"To enter": [0.13, 0.12, 0.28]}
     assert "looks 0.12 deg bow up" in panel.words.text()
     assert "leans 0.13 deg with its left side up" in panel.words.text()
     assert "0.186 m aft of" in panel.words.text()
@@ -103,7 +103,7 @@ def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) ->
     assert theme.DONE in panel.status.text()
     assert not panel.assumption.isVisible()
     assert not panel.given.take.isEnabled()
-    assert panel.given.source.text() == "Typed by hand."
+    assert panel.given.source.text() == "User-defined values."
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
@@ -119,7 +119,7 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     if convention.has_angles:
         stated = state(panel.given.mounting, Setup(convention))
         (label, shown), *_ = rows(panel).items()
-        assert label == ("Type in" if convention.status == "verified" else "If so")
+        assert label == ("To enter" if convention.status == "verified" else "If it holds")
         np.testing.assert_allclose(shown, np.degrees(stated.angles), atol=5.1e-5)
         assert heads(panel) == [name.capitalize() for name in convention.names]
     assert panel.imu.isVisible() == convention.open_axes
@@ -132,18 +132,18 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     for field, text in zip(panel.current.fields.fields, ("0.1", "1.0", "-3"), strict=True):
         type_in(qtbot, field, text)
     shown = rows(panel)
-    assert list(shown) == ["Now set", "Correction", "Type in"]
-    assert shown["Now set"] == [0.1, 1.0, -3.0]
-    assert shown["Type in"] == [0.125, 1.192, 0.276]
+    assert list(shown) == ["Present", "Correction", "To enter"]
+    assert shown["Present"] == [0.1, 1.0, -3.0]
+    assert shown["To enter"] == [0.125, 1.192, 0.276]
     assert "Do not add the angles" in panel.remarks.text()
-    assert "18 mm at 100 m" in panel.remarks.text()
+    assert "18 mm at 100 m" in panel.remarks.text().replace("\u00a0", " ")
     qtbot.mouseClick(
         panel.current.applied, Left, pos=QPoint(8, panel.current.applied.height() // 2)
     )
-    assert rows(panel)["Type in"] != [0.125, 1.192, 0.276]
+    assert rows(panel)["To enter"] != [0.125, 1.192, 0.276]
     # Angles typed for one program are not taken for another's.
     choose(qtbot, panel, "novatel")
-    assert rows(panel)["Now set"] == [0.0, 0.0, 0.0]
+    assert rows(panel)["Present"] == [0.0, 0.0, 0.0]
 
 
 def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> None:
@@ -158,8 +158,8 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     qtbot.mouseClick(current.matrix.viewport(), Left)
     qtbot.keyClicks(current.matrix, "; ".join(" ".join(f"{v:.10f}" for v in row) for row in turn))
     shown = rows(panel)
-    assert shown["Now set"] == [0.1, 1.0, -3.0]
-    assert shown["Type in"] == [0.125, 1.192, 0.276]
+    assert shown["Present"] == [0.1, 1.0, -3.0]
+    assert shown["To enter"] == [0.125, 1.192, 0.276]
     # PDAL has no angles, so a matrix is all there is to give; what was given for another is gone.
     choose(qtbot, panel, "pdal")
     assert current.matrix.isVisible()
@@ -180,7 +180,7 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
     told = panel.lever.text().replace("&nbsp;", " ")
     assert told.count("X forward <b>+0.1200</b> m, Y starboard <b>−0.3400</b> m") == 2
     assert "none was given here" in told
-    assert "The correction of the 4x4 matrix" in panel.remarks.text()
+    assert "Correction of the 4x4 matrix" in panel.remarks.text()
     # Typed here, it replaces the present one.
     type_in(qtbot, panel.given.lever_arm.fields[2], "-2.4")
     told = panel.lever.text().replace("&nbsp;", " ")
@@ -278,7 +278,7 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     assert panel.given.source.text() == f"Estimated boresight of {project.name}."
     np.testing.assert_array_equal(panel.given.mounting.boresight, project.result.boresight)
     roll, pitch, yaw = np.degrees(project.result.boresight)
-    np.testing.assert_allclose(rows(panel)["Type in"], [roll, -pitch, yaw], atol=0.01)
+    np.testing.assert_allclose(rows(panel)["To enter"], [roll, -pitch, yaw], atol=0.01)
     np.testing.assert_allclose(
         rows(panel)["± 1 σ"], np.degrees(project.result.sigma), rtol=0.05, atol=1e-4
     )
@@ -288,7 +288,7 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     validation = project.of_role("validation")[0]
     window.controller.use_target(validation.name, False)
     driver.rest()
-    assert panel.given.source.text() == "Typed by hand."
+    assert panel.given.source.text() == "User-defined values."
     click(driver, panel.given.take)
     assert "± 1 σ" in rows(panel)
     window.document.edit("settings", driver.project.with_settings(driver.project.settings))

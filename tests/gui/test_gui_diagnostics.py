@@ -62,7 +62,8 @@ def test_without_a_result_every_page_says_what_to_do(picked: Driver):
     picked.window.docks["Diagnostics"].raise_()
     for kind in PAGES:
         page = turn_to(picked, kind.title)
-        assert page.advice.startswith("Nothing estimated yet: press Estimate in step 3, and ")
+        assert page.advice == kind.without_result
+        assert page.advice.startswith("Nothing estimated yet. Press Estimate in step 3 to see ")
         assert getattr(page, "canvas", None) is None
 
 
@@ -116,7 +117,7 @@ def test_the_tables_show_the_result(shown: Driver, estimated: Project):
     first = next(check for check in checks.parts if check.difference is not None)
     row = checks.parts.index(first)
     difference = f"{np.degrees(first.difference[2]):+.4f}".replace("-", "−")
-    assert texts(page.table, "Yaw difference (deg)")[row] == difference
+    assert texts(page.table, "Yaw difference (°)")[row] == difference
     assert f"{np.degrees(checks.sigma[1]):.4f}" in page.spread.text()
     assert f"{np.degrees(checks.spread_lines[1]):.4f}" in page.spread.text()
     table = turn_to(shown, "Parameters").table
@@ -127,7 +128,7 @@ def test_every_angle_of_the_cross_checks_is_seen_in_a_small_window(shown: Driver
     shown.window.resize(1366, 768)
     page = turn_to(shown, "Cross-checks")
     head = page.table.horizontalHeader()
-    yaw = column(page.table, "Yaw difference (deg)")
+    yaw = column(page.table, "Yaw difference (°)")
     shown.bot.waitUntil(lambda: page.table.viewport().width() > 300)
     right = head.sectionViewportPosition(yaw) + head.sectionSize(yaw)
     assert right <= page.table.viewport().width()
@@ -176,12 +177,12 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     marked = estimated.with_result(doubtful).with_cross_checks(replace(checks, parts=(odd, none)))
     shown.window.document.edit("estimate", marked)
     table = turn_to(shown, "Sightings").table
-    assert texts(table, "Remark")[1] == "released: disagrees"
+    assert texts(table, "Remark")[1] == "rejected: disagrees"
     assert table.item(1, 0).background().color().name() == theme.WARNING_GROUND
     assert table.item(0, 0).background().color().name() != theme.WARNING_GROUND
-    assert texts(turn_to(shown, "Targets").table, "Remark")[0] == f"released on {line}"
+    assert texts(turn_to(shown, "Targets").table, "Remark")[0] == f"rejected on {line}"
     table = turn_to(shown, "Cross-checks").table
-    assert texts(table, "Verdict") == ["disagrees", "no answer"]
+    assert texts(table, "Verdict") == ["disagrees", "no result"]
     assert texts(table, "Reason")[1] == "T2 alone does not do."
     assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
     told = shown.window.results.warnings.text()

@@ -5,10 +5,12 @@ from io import StringIO
 
 import numpy as np
 import pytest
+from matplotlib.backend_bases import MouseEvent
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from lispac.gui import units
 from lispac.gui.panels.histograms import AGAINST, ZOOM, HistogramsPanel
 from lispac.project import Project
 from tests.gui.support import Demo, Driver
@@ -80,6 +82,25 @@ def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPane
     driver.bot.mouseMove(panel.canvas, place(panel, 0, middle, drawn.values[highest] / 2))
     driver.bot.waitUntil(lambda: "after" in panel.reading.text(), timeout=5000)
     assert f"after {drawn.values[highest]:,.0f} points" in panel.reading.text()
+
+
+@pytest.mark.parametrize("lengths", ["metres", "feet"])
+def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
+    panel: HistogramsPanel, lengths: str
+) -> None:
+    units.show_in("degrees", lengths)
+    try:
+        panel.plot.setCurrentIndex(AGAINST)
+        panel.canvas.draw()
+        for axes, title in zip(panel.canvas.figure.axes, ("Height", "Range"), strict=True):
+            middle = (np.mean(axes.get_xlim()), np.mean(axes.get_ylim()))
+            x, y = axes.transData.transform(middle)
+            event = MouseEvent("motion_notify_event", panel.canvas, x, y)
+            panel.canvas.callbacks.process(event.name, event)
+            assert panel.reading.text().startswith(title)
+            assert f"\u00a0{units.unit('m').sign}: " in panel.reading.text()
+    finally:
+        units.show_in("degrees", "metres")
 
 
 def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(

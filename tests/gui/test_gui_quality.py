@@ -96,7 +96,9 @@ def lights(driver: Driver) -> dict[str, str]:
 def test_a_candidate_has_its_lights_before_it_is_accepted(opened: Driver) -> None:
     open_step(opened, 1)
     seed(opened, "T2")
-    opened.bot.waitUntil(lambda: not any("Being judged" in tip for tip in lights(opened).values()))
+    opened.bot.waitUntil(
+        lambda: not any("Quality is being determined" in tip for tip in lights(opened).values())
+    )
     opened.rest()
     told = lights(opened)
     assert list(told) == [line.name for line in opened.project.lines]

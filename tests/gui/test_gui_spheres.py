@@ -30,7 +30,7 @@ def seed(driver: Driver, balls: BallSurvey, name: str, line: str = "L1") -> None
 
 def detail(driver: Driver) -> str:
     label = driver.window.targets.candidate.findChild(QLabel, "candidate_detail")
-    return label.text()
+    return label.text().replace("\u00a0", " ")
 
 
 def accepted(driver: Driver) -> Project:
@@ -46,7 +46,7 @@ def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, sai
     panel._sphere_radius.setValue(radius)
     assert panel._threshold.specialValueText() == "default (30 mm)"
     seed(opened, balls, "S1")
-    assert "RMS of their spheres" in detail(opened)
+    assert "RMS from their spheres" in detail(opened)
     assert said in detail(opened)
     assert "% of the surface seen" in detail(opened)
     target = accepted(opened).target("T1")
@@ -62,7 +62,7 @@ def test_the_radius_of_a_ball_is_told_in_the_unit_shown(opened, balls):
     units.show_in("degrees", "feet")
     try:
         seed(opened, balls, "S1")
-        assert f"Radius {0.15 / 0.3048:g} ft (known)" in detail(opened).replace("\u00a0", " ")
+        assert f"Radius {0.15 / 0.3048:g} ft (known)" in detail(opened)
         assert " m " not in detail(opened)
     finally:
         units.show_in("degrees", "metres")

@@ -42,7 +42,7 @@ SOON_MS = 20_000
 METRIC_FOR_ALL = (
     "with the middle of the targets \\d+ m to (port|starboard)",  # sentences of the core
     "has no points within [.\\d]+ m of the seed",
-    "^Lever arm there, from the POS centre: ",  # typed into a program that is metric
+    "^Lever arm in that program, from the POS centre: ",  # typed into a program that is metric
     "4x4 with the lever arm in metres$",
 )
 """Of texts that have metric figures for everybody, with their unit."""
@@ -142,6 +142,26 @@ def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
     assert field(" m", 4).suffix() == " ft"
 
 
+@pytest.mark.parametrize(
+    ("code", "texts"),
+    [
+        ("en", ("−1,234.5\u00a0mm", "+0.0120°", "2e−05\u00a0m", "0.001°")),
+        ("fr", ("−1\u202f234,5\u00a0mm", "+0,0120°", "2e−05\u00a0m", "0,001°")),
+    ],
+)
+def test_figures_are_written_as_in_the_language(code: str, texts: tuple[str, ...]) -> None:
+    speak(code)
+    try:
+        assert texts == (
+            units.local_amount(-1234.5, "mm", ".1f"),
+            units.local_amount(0.012, "°", "+.4f"),
+            units.local_amount(2e-5, "m", "g"),
+            units.local_sign("m°"),
+        )
+    finally:
+        speak("en")
+
+
 def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial: None) -> None:
     sigma = OptionalNumber("s", "Sigma", "mm", 1e3, "not known", "How well")
     assert sigma.value() is None
@@ -149,7 +169,7 @@ def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial:
     assert sigma.value() == 0.00123456789
     sigma.setText("0.01")
     assert sigma.value() == pytest.approx(0.01 * FOOT)
-    assert sigma.toolTip() == "How well, in ft. Empty: not known."
+    assert sigma.toolTip() == "How well, in ft. If empty: not known."
 
 
 def test_the_window_shows_one_unit_and_the_project_stays(

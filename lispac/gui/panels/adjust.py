@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.shown import counted
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
 from lispac.gui.language import say
@@ -25,6 +24,7 @@ from lispac.gui.panels.adjust_parameters import ParameterSwitches
 from lispac.gui.panels.fields import Fold
 from lispac.gui.status import StepStatus
 from lispac.gui.tasks import Task
+from lispac.language import N_, Plural, gettext
 from lispac.project import Project, Settings
 
 DEBOUNCE_MS = 250
@@ -32,16 +32,23 @@ UNITS = (("cm", 100.0), ("m", 1.0))
 MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     (
         "correlated",
-        "Correlated in time",
-        "The POS error drifts slowly, so neighbouring points share it. The sigmas are realistic.",
+        N_("Correlated in time"),
+        N_(
+            "The POS error drifts slowly, and neighbouring points share it. The standard "
+            "deviations are realistic."
+        ),
     ),
     (
         "independent",
-        "Uncorrelated POS errors (classical)",
-        "Every point has a POS error of its own. For comparison only: the sigmas come out several "
-        "times too small.",
+        N_("Uncorrelated POS errors (classical)"),
+        N_(
+            "Each point has its own POS error. For comparison only: the standard deviations are "
+            "several times too small."
+        ),
     ),
 )
+POINTS = Plural("{count:n} point", "{count:n} points")
+SIGHTINGS = Plural("{count:n} sighting", "{count:n} sightings")
 
 
 class AdjustPanel(QWidget):
@@ -50,7 +57,7 @@ class AdjustPanel(QWidget):
     estimate_asked = Signal(object, bool)
     """Settings, whether to cross-check."""
     subsample_changed = Signal(float)
-    """The distance rests: count the points it would keep."""
+    """The spacing was changed: count the points that it keeps."""
     cancel_asked = Signal()
 
     def __init__(self) -> None:
@@ -65,31 +72,31 @@ class AdjustPanel(QWidget):
         layout.addLayout(self._distance_row())
         self.count = widgets.label("", "muted", wrap=True, name="point_count", rich=True)
         layout.addWidget(self.count)
-        layout.addWidget(widgets.label("POS errors", "heading"))
+        layout.addWidget(widgets.label(gettext("POS errors"), "heading"))
         self._models = QButtonGroup(self)
-        for k, (model, title, sentence) in enumerate(MODELS):
-            choice = QRadioButton(say(title))
+        for k, (model, title, description) in enumerate(MODELS):
+            choice = QRadioButton(gettext(title))
             choice.setObjectName(f"model_{model}")
-            choice.setAccessibleDescription(say(sentence))
-            choice.setToolTip(say(sentence))
+            choice.setAccessibleDescription(gettext(description))
+            choice.setToolTip(gettext(description))
             choice.setChecked(k == 0)
             self._models.addButton(choice, k)
             layout.addWidget(choice)
         self.model_sentence = widgets.label("", "muted", wrap=True, name="model_sentence")
         layout.addWidget(self.model_sentence)
         self.parameters = ParameterSwitches()
-        self.also = Fold("Additional parameters", "fold_parameters", self.parameters)
+        self.also = Fold(gettext("Additional parameters"), "fold_parameters", self.parameters)
         layout.addWidget(self.also)
         self.model = ModelSettings()
-        self.advanced = Fold("Advanced", "fold_advanced", self.model)
+        self.advanced = Fold(gettext("Advanced"), "fold_advanced", self.model)
         layout.addWidget(self.advanced)
-        self.cross_check = QCheckBox(say("Cross-check with parts of the data"))
+        self.cross_check = QCheckBox(gettext("Cross-check with parts of the data"))
         self.cross_check.setObjectName("cross_check")
         self.cross_check.setChecked(True)
         self.cross_check.setToolTip(
-            say(
-                "Adjust again without each line and each target, and each half of the "
-                "survey by itself"
+            gettext(
+                "Repeat the adjustment without each line and each target, and with each half of "
+                "the survey"
             )
         )
         layout.addWidget(self.cross_check)
@@ -97,8 +104,9 @@ class AdjustPanel(QWidget):
         self.problem.hide()
         layout.addWidget(self.problem)
         self.estimate = widgets.button(
-            "Estimate boresight", "estimate", icon="calculator-variant-outline", primary=True,
-            tip="Adjust boresight and targets together by least squares (F9)",
+            gettext("Estimate boresight"), "estimate", icon="calculator-variant-outline",
+            primary=True,
+            tip=gettext("Adjust boresight and targets together by least squares (F9)"),
         )  # fmt: skip
         self.estimate.clicked.connect(self.ask)
         layout.addWidget(self.estimate)
@@ -135,7 +143,7 @@ class AdjustPanel(QWidget):
         Raises
         ------
         InputError
-            Where something typed makes no sense.
+            Where a typed value is not valid.
         """
         if self._settings is None:
             return None
@@ -167,62 +175,77 @@ class AdjustPanel(QWidget):
 
     @property
     def sound(self) -> bool:
-        """Whether everything typed makes sense."""
+        """Whether all typed values are valid."""
         return self.problem.isHidden()
 
     def _check(self) -> None:
-        """Say what is wrong with what is typed, and what is folded away."""
-        self.model_sentence.setText(say(MODELS[self._models.checkedId()][2]))
+        """Show what is wrong with the typed values, and the summaries of the folded groups."""
+        self.model_sentence.setText(gettext(MODELS[self._models.checkedId()][2]))
         self.model.show_model(self.pos_errors)
         self.also.set_summary(self.parameters.summary)
         self.advanced.set_summary(self.model.summary)
         try:
             self.settings()
         except InputError as error:
-            self._tell(str(error))
+            self._show_problem(say(str(error)))
         else:
             self.problem.setText("")
             self.problem.hide()
         self.estimate.allow(self._ready and self.sound)
-        self._say_count()
+        self._update_count()
 
-    def _tell(self, sentence: str) -> None:
-        if say(sentence) == self.problem.text():
+    def _show_problem(self, text: str) -> None:
+        if text == self.problem.text():
             return
         hidden = self.problem.visibleRegion().isEmpty()
-        self.problem.setText(say(sentence))
+        self.problem.setText(text)
         self.problem.show()
         field = QApplication.focusWidget()
         if hidden and field is not None and self.isAncestorOf(field):
-            # The label may be scrolled out of sight; the sentence is wanted where one types.
-            QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), say(sentence), field)
+            # The label may be scrolled out of sight: show the text beside the field as well.
+            QToolTip.showText(field.mapToGlobal(QPoint(0, field.height())), text, field)
 
     def show_count(self, kept: int | None, total: int, sightings: int, reason: str = "") -> None:
-        """The live count; None while it is being counted, or where ``reason`` says why not."""
+        """Show how many points are used; None while they are counted or where there is a reason."""
         self._counted = (kept, total, sightings, reason)
-        self._say_count()
+        self._update_count()
 
-    def _say_count(self) -> None:
-        kept, total, sightings, reason = self._counted
-        seen = counted(sightings, "sighting")
-        if not sightings:
-            self.count.setText(say("No target yet, so no points to thin."))
-        elif reason:  # said below the button, too
-            self.count.setText(say(f"{counted(total, 'point')} in {seen}: not enough to adjust."))
-        elif kept is None:
-            self.count.setText(say(f"Counting … ({counted(total, 'point')} in {seen})"))
-        elif (took := self._took_part()) is not None:
-            self.count.setText(say(f"<b>{counted(took, 'point')}</b> took part, in {seen}."))
-        elif kept == total:
-            self.count.setText(say(f"<b>All {total:,}</b> points take part, in {seen}."))
-        else:  # about: Estimate selects the points again with the boresight found
-            near = round(kept, 2 - len(str(kept)))
-            self.count.setText(
-                say(f"About <b>{near:,}</b> of {total:,} points take part, in {seen}.")
+    def _update_count(self) -> None:
+        self.count.setText(self._count_text())
+
+    def _count_text(self) -> str:
+        """How many points of the sightings are used, as rich text."""
+        kept, total, count, reason = self._counted
+        if not count:
+            return gettext("No points: there is no target yet.")
+        points, sightings = gettext(POINTS, count=total), gettext(SIGHTINGS, count=count)
+        if reason:  # shown below the button, too
+            return gettext(
+                "{points} in {sightings}: not enough for an adjustment.",
+                points=points, sightings=sightings,
+            )  # fmt: skip
+        if kept is None:
+            return gettext(
+                "Counting points ({points} in {sightings}) …", points=points, sightings=sightings
             )
+        if (used := self._used_points()) is not None:
+            return gettext(
+                "<b>{points}</b> used, in {sightings}.",
+                points=gettext(POINTS, count=used), sightings=sightings,
+            )  # fmt: skip
+        if kept == total:
+            return gettext(
+                "All points are used: <b>{points}</b> in {sightings}.",
+                points=points, sightings=sightings,
+            )  # fmt: skip
+        # About: Estimate selects the points again with the estimated boresight
+        return gettext(
+            "About <b>{kept:n}</b> of {points} are used, in {sightings}.",
+            kept=round(kept, 2 - len(str(kept))), points=points, sightings=sightings,
+        )  # fmt: skip
 
-    def _took_part(self) -> int | None:
-        """Points of the project's result; None where there is none for what is chosen."""
+    def _used_points(self) -> int | None:
+        """Points of the project's result; None where there is none with these settings."""
         if self._project is None or self._project.result is None:
             return None
         try:
@@ -246,7 +269,10 @@ class AdjustPanel(QWidget):
         self._progress = QProgressBar()
         self._progress.setObjectName("estimate_progress")
         self._progress.setRange(0, 1000)
-        self.cancel = widgets.button("Cancel", "cancel_estimate", tip="Stop; nothing is changed")
+        self.cancel = widgets.button(
+            gettext("Cancel"), "cancel_estimate",
+            tip=gettext("Stop the adjustment; the project stays unchanged"),
+        )  # fmt: skip
         self.cancel.clicked.connect(self.cancel_asked)
         self._running = QWidget()
         running = QHBoxLayout(self._running)
@@ -259,18 +285,20 @@ class AdjustPanel(QWidget):
     def _distance_row(self) -> QHBoxLayout:
         self.distance = widgets.number(
             "subsample", suffix="", decimals=1, low=0, high=1000, step=1,
-            tip="Points of a sighting nearer to each other than this are thinned; 0 keeps all",
+            tip=gettext(
+                "Points of a sighting closer together than this are thinned; 0 keeps all points"
+            ),
         )  # fmt: skip
-        self.distance.setSpecialValueText(say("all points"))
+        self.distance.setSpecialValueText(gettext("all points"))
         self.distance.setMinimumWidth(84)
         self.unit = widgets.Choice(
-            "subsample_unit", [unit for unit, _ in UNITS], "Unit of the distance"
+            "subsample_unit", [unit for unit, _ in UNITS], gettext("Unit of the point spacing")
         )
         self._show_distance()
         self.distance.valueChanged.connect(self._distance_changed)
         self.unit.currentIndexChanged.connect(lambda: self._show_distance())
         row = QHBoxLayout()
-        row.addWidget(widgets.label("Point spacing", "heading"))
+        row.addWidget(widgets.label(gettext("Point spacing"), "heading"))
         row.addStretch(1)
         row.addWidget(self.distance)
         row.addWidget(self.unit)

@@ -1,4 +1,4 @@
-"""Seldom-used settings of the adjustment: times, surfaces, stray points, LiDAR noise."""
+"""Seldom-used settings of the adjustment: times, surfaces, outliers, LiDAR noise."""
 
 from dataclasses import replace
 
@@ -11,32 +11,47 @@ from lispac.adjustment.robust import LossName
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
 from lispac.gui import units
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.project import Settings
 
-TIMES = (
-    "How long the POS error stays like itself. Position drifts over minutes, attitude more "
-    "slowly. Where the processing report states correlation times, use them; too short a time is "
-    "safer than too long a one."
+TIMES = N_(
+    "How long the POS error stays correlated: minutes for the position, longer for the attitude. "
+    "Use the correlation times of the processing report where it gives them. A time that is too "
+    "short is safer than one that is too long."
 )
 LOSSES: tuple[tuple[LossName | None, str, str], ...] = (
-    (None, "As the model does", "Tukey with correlated POS errors, none with uncorrelated ones"),
-    ("none", "All points alike", "No point loses weight, however far it lies off"),
-    ("huber", "Far points count less (Huber)", "The weight falls beyond 1.3 σ, never to zero"),
-    ("tukey", "Stray points do not count (Tukey)", "Points beyond 4.7 σ have no say"),
+    (
+        None,
+        N_("Automatic"),
+        N_("Tukey with correlated POS errors, full weight with uncorrelated ones"),
+    ),
+    ("none", N_("Full weight"), N_("Every point keeps its full weight")),
+    (
+        "huber",
+        N_("Reduced weight (Huber)"),
+        N_("The weight decreases beyond 1.3 σ and never reaches zero"),
+    ),
+    ("tukey", N_("No weight (Tukey)"), N_("Points beyond 4.7 σ have no weight")),
 )
-NOISES = ("Same on all axes", "Along X, Y, Z", "Range and angle")
+"""Name, title and description of each loss."""
+LOSS_SUMMARIES: dict[LossName, str] = {
+    "none": N_("outliers with full weight"),
+    "huber": N_("Huber"),
+    "tukey": N_("Tukey"),
+}
+NOISES = (N_("Same on all axes"), N_("Along X, Y, Z"), N_("Range and angle"))
+NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR noise of range and angle"))
 _MM, _DEG = 1e3, float(np.degrees(1.0))
 
 
-class _Sentence(QLabel):
-    """A wrapped sentence that keeps its height: a form with hidden rows squeezes it."""
+class _WrappedText(QLabel):
+    """A wrapped text that keeps its height: a form with hidden rows squeezes it."""
 
     def __init__(self, text: str, name: str) -> None:
-        super().__init__(say(text))
+        super().__init__(text)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setObjectName(name)
         self.setProperty("role", "muted")
@@ -50,7 +65,7 @@ class _Sentence(QLabel):
 
 
 class ModelSettings(QWidget):
-    """What the stochastic model leaves to choose."""
+    """Fields of the stochastic model."""
 
     changed = Signal()
 
@@ -61,67 +76,79 @@ class ModelSettings(QWidget):
         form.setHorizontalSpacing(8)
         form.setVerticalSpacing(5)
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.DontWrapRows)
-        self.position_time = self._time("position_time", "position")
-        self.attitude_time = self._time("attitude_time", "attitude")
-        form.addRow(say("Position time"), self.position_time)
-        form.addRow(say("Attitude time"), self.attitude_time)
-        self.times = _Sentence(TIMES, "times_sentence")
+        self.position_time = self._time(
+            "position_time", gettext("Correlation time of the position error of the POS")
+        )
+        self.attitude_time = self._time(
+            "attitude_time", gettext("Correlation time of the attitude error of the POS")
+        )
+        form.addRow(gettext("Position time"), self.position_time)
+        form.addRow(gettext("Attitude time"), self.attitude_time)
+        self.times = _WrappedText(gettext(TIMES), "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional(
-            "surface", "Surface sigma", "mm", _MM, "from the data",
-            "How far what one line sees of a target may lie off the shape all lines share",
+            "surface", gettext("Surface roughness"), "mm", _MM, gettext("from the data"),
+            gettext(
+                "Standard deviation of a target's surface in one line from the surface common to "
+                "all lines"
+            ),
         )  # fmt: skip
-        form.addRow(units.signs(say("Surface σ, mm"), "mm"), self.surface)
+        form.addRow(gettext("Roughness, {unit}", unit=units.unit("mm").sign), self.surface)
         self.loss = widgets.Choice(
-            "loss", [title for _, title, _ in LOSSES],
-            "What is done with points that lie far off their surface",
+            "loss", [gettext(title) for _, title, _ in LOSSES],
+            gettext("Weight of points that lie far from their surface"),
         )  # fmt: skip
         for k, (_, _, tip) in enumerate(LOSSES):
-            self.loss.setItemData(k, say(tip), Qt.ItemDataRole.ToolTipRole)
+            self.loss.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
         self.loss.currentIndexChanged.connect(self.changed)
-        form.addRow(say("Stray points"), self.loss)
+        form.addRow(gettext("Outliers"), self.loss)
         self.noise = widgets.Choice(
-            "lidar_noise", NOISES, "How the noise of a LiDAR point is stated"
-        )
+            "lidar_noise", [gettext(noise) for noise in NOISES],
+            gettext("How the noise of a LiDAR point is given"),
+        )  # fmt: skip
         self.noise.currentIndexChanged.connect(self._show_noise)
-        form.addRow(say("LiDAR noise"), self.noise)
+        form.addRow(gettext("LiDAR noise"), self.noise)
         self._same = widgets.label("", "muted", wrap=True, name="lidar_same")
         self.axes = []
+        millimetres, degrees = units.unit("mm").sign, units.unit("°").sign
         for axis in "XYZ":
-            tip = f"Noise along {axis} of the LiDAR, one standard deviation"
-            what, empty = f"LiDAR noise along {axis}", f"{axis}, mm"
-            name = f"lidar_{axis.lower()}"
-            self.axes.append(self._optional(name, what, "mm", _MM, empty, tip, True))
+            self.axes.append(
+                self._optional(
+                    f"lidar_{axis.lower()}", gettext("LiDAR noise along {axis}", axis=axis), "mm",
+                    _MM, f"{axis}, {millimetres}",
+                    gettext("Standard deviation of a LiDAR point along {axis}", axis=axis), True,
+                )
+            )  # fmt: skip
         self.range = self._optional(
-            "lidar_range", "LiDAR range noise", "mm", _MM, "range, mm",
-            "Noise of the range, one standard deviation", True,
+            "lidar_range", gettext("LiDAR range noise"), "mm", _MM,
+            gettext("range, {unit}", unit=millimetres),
+            gettext("Standard deviation of the range"), True,
         )  # fmt: skip
         self.angle = self._optional(
-            "lidar_angle", "LiDAR angle noise", "°", 1.0, "angle, °",
-            "Noise of the beam's direction, one standard deviation", True,
+            "lidar_angle", gettext("LiDAR angle noise"), "°", 1.0,
+            gettext("angle, {unit}", unit=degrees),
+            gettext("Standard deviation of the beam direction"), True,
         )  # fmt: skip
         self._three, self._two = _row(*self.axes), _row(self.range, self.angle)
         for each in (self._same, self._three, self._two):
             form.addRow("", each)
-        self.components = QCheckBox(say("Find how large the errors are"))
+        self.components = QCheckBox(gettext("Estimate variance components"))
         self.components.setObjectName("variance_components")
         self.components.setToolTip(
-            say(
-                "Variance components: the sigmas of LiDAR, POS position and POS attitude "
-                "are scaled "
-                "by what the data say. With few sightings the data say little of the POS."
+            gettext(
+                "Scale the standard deviations of LiDAR, POS position and POS attitude to the "
+                "residuals. With few sightings the scale of the POS is uncertain."
             )
         )
         self.components.toggled.connect(self.changed)
         form.addRow(self.components)
-        self.one_facing = QCheckBox(say("Accept targets that all face one way"))
+        self.one_facing = QCheckBox(gettext("Accept targets that all face one way"))
         self.one_facing.setObjectName("accept_one_facing")
         self.one_facing.setToolTip(
-            say(
-                "For boards that all hang on one wall, or a single one. Only the headings "
-                "of the lines "
-                "tell the angles apart then, and nothing shows whether a board is bent or moved. A "
-                "target of another inclination, or a sphere, is better."
+            gettext(
+                "For targets that all hang on one wall, or a single target. Only the headings of "
+                "the lines then separate the angles, and a bent or moved target is not detected. "
+                "A target with another inclination, or a sphere, is better."
             )
         )
         self.one_facing.toggled.connect(self.changed)
@@ -154,14 +181,14 @@ class ModelSettings(QWidget):
         )
 
     def show_settings(self, settings: Settings) -> None:
-        """Fill in, without telling anyone."""
+        """Fill in without emitting `changed`."""
         self.blockSignals(True)
         self.position_time.setValue(settings.position_time)
         self.attitude_time.setValue(settings.attitude_time)
         self.surface.show_value(settings.surface)
         self.loss.setCurrentIndex([loss for loss, _, _ in LOSSES].index(settings.loss))
-        sigma = units.figure(settings.lidar_sigma * _MM, "mm", ".1f")
-        self._same.setText(units.signs(say(f"{sigma} mm, as typed in step 1"), "mm"))
+        sigma = units.local_amount(settings.lidar_sigma * _MM, "mm", ".1f")
+        self._same.setText(gettext("{sigma}, as given in step 1", sigma=sigma))
         for field, value in zip(
             self.axes, settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3, strict=True
         ):
@@ -176,25 +203,25 @@ class ModelSettings(QWidget):
         self.blockSignals(False)
 
     def show_model(self, pos_errors: PosErrors) -> None:
-        """Switch off what thesis mode does not know."""
+        """Disable what uncorrelated POS errors do not use."""
         for each in (self.position_time, self.attitude_time, self.surface, self.components):
             each.setEnabled(pos_errors == "correlated")
 
     @property
     def summary(self) -> str:
-        """What differs from the usual, in a few words."""
-        words = []
+        """Settings that differ from the defaults."""
+        settings = []
         if self.noise.currentIndex():
-            words.append(f"LiDAR {NOISES[self.noise.currentIndex()].lower()}")
-        if self.loss.currentIndex():
-            words.append(LOSSES[self.loss.currentIndex()][0] or "")
+            settings.append(gettext(NOISE_SUMMARIES[self.noise.currentIndex()]))
+        if loss := LOSSES[self.loss.currentIndex()][0]:
+            settings.append(gettext(LOSS_SUMMARIES[loss]))
         if self.surface.text().strip():
-            words.append("surface σ typed")
+            settings.append(gettext("roughness given"))
         if self.components.isChecked():
-            words.append("variance components")
+            settings.append(gettext("variance components"))
         if self.one_facing.isChecked():
-            words.append("one facing accepted")
-        return ", ".join(map(say, words))
+            settings.append(gettext("one facing accepted"))
+        return ", ".join(settings)
 
     def _all(self, fields, code: str):
         values = [field.value() for field in fields]
@@ -202,11 +229,8 @@ class ModelSettings(QWidget):
             raise InputError(error(code))
         return tuple(values)
 
-    def _time(self, name: str, what: str):
-        field = widgets.number(
-            name, suffix=" s", decimals=1, low=0, high=1e6, step=30,
-            tip=f"Correlation time of the {what} error of the POS, seconds",
-        )  # fmt: skip
+    def _time(self, name: str, tip: str):
+        field = widgets.number(name, suffix=" s", decimals=1, low=0, high=1e6, step=30, tip=tip)
         field.valueChanged.connect(self.changed)
         return field
 
@@ -223,15 +247,15 @@ class ModelSettings(QWidget):
 
 
 def _row(*fields: QWidget) -> QWidget:
-    made = QWidget()
-    row = QHBoxLayout(made)
+    widget = QWidget()
+    row = QHBoxLayout(widget)
     row.setContentsMargins(0, 0, 0, 0)
     row.setSpacing(4)
     for field in fields:
         row.addWidget(field)
-    return made
+    return widget
 
 
-def _kept(shown: float, before: float, step: float) -> float:
-    """What was not moved keeps all its figures."""
-    return before if abs(shown - before) < step else shown
+def _kept(displayed: float, before: float, step: float) -> float:
+    """The value with all its digits where the field was not changed."""
+    return before if abs(displayed - before) < step else displayed

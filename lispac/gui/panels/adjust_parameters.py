@@ -8,21 +8,24 @@ from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QW
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.shown import QUANTITIES
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import ALIKE
 from lispac.gui.units import Base
-from lispac.language import gettext
+from lispac.language import N_, Plural, gettext, number
 from lispac.project import Settings
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A value of the mounting as the window shows it.
+    """A value of the mounting as the window shows it; texts are English.
 
     Attributes
     ----------
+    title : begins a sentence
+    short_title : fits a switch and the axis of a figure
+    summary : stands in a list
+    sigma_title : of the field with the standard deviation of its prior
     scale : shown units to one metre, radian or second
     decimals : of the value in its unit
     limit : largest value that can be typed, in its unit
@@ -34,7 +37,18 @@ class Kind:
     scale: float
     decimals: int
     limit: float
+    short_title: str
+    summary: str
+    sigma_title: str
     tip: str
+
+    def amount(self, value: float, *, signed: bool = True) -> str:
+        """A value with the unit shown, written as in the user's language."""
+        form = f"{'+' if signed else ''}.{self.decimals}f"
+        if self.unit in BASES:
+            return units.local_amount(value * self.scale, BASES[self.unit], form)
+        written = number(value * self.scale, self.decimals, sign=signed).replace("-", "−")
+        return f"{written}\N{NO-BREAK SPACE}{self.unit}"
 
     def text(self, value: float, *, signed: bool = True) -> str:
         """A figure in the unit shown with the sign of the base; `units.signs` puts the other."""
@@ -54,18 +68,50 @@ class Kind:
 
 
 BASES: dict[str, Base] = {"m": "m", "°": "°"}
-_MEANING = {
-    "lever_x": (100.0, "forward"),
-    "lever_y": (100.0, "left"),
-    "lever_z": (100.0, "up"),
-    "range_offset": (10.0, "added to every range"),
-    "scan_angle_offset": (360.0, "turns every beam about the scanner's X axis"),
-    "latency": (1e4, "added to the time of every point before the trajectory is asked"),
+_LIMITS_AND_TEXTS = {
+    "lever_x": (
+        100.0, N_("Lever arm X"), N_("lever arm X"), N_("Prior σ of the lever arm X"),
+        N_("Estimate the lever arm along X, positive forward"),
+    ),
+    "lever_y": (
+        100.0, N_("Lever arm Y"), N_("lever arm Y"), N_("Prior σ of the lever arm Y"),
+        N_("Estimate the lever arm along Y, positive left"),
+    ),
+    "lever_z": (
+        100.0, N_("Lever arm Z"), N_("lever arm Z"), N_("Prior σ of the lever arm Z"),
+        N_("Estimate the lever arm along Z, positive up"),
+    ),
+    "range_offset": (
+        10.0, N_("Range offset"), N_("range offset"), N_("Prior σ of the range offset"),
+        N_("Estimate a constant that is added to each range"),
+    ),
+    "scan_angle_offset": (
+        360.0, N_("Scan angle"), N_("scan-angle offset"), N_("Prior σ of the scan-angle offset"),
+        N_("Estimate a rotation of all beams about the X axis of the scanner"),
+    ),
+    "latency": (
+        1e4, N_("Latency"), N_("latency"), N_("Prior σ of the latency"),
+        N_("Estimate a time offset that is added to the time of each point"),
+    ),
+}  # fmt: skip
+"""Largest value that can be typed, short title, summary, title of the prior sigma, tooltip."""
+PRIOR_TIPS = {
+    "range_offset": N_("Prior range offset, also used where it is not estimated"),
+    "scan_angle_offset": N_("Prior scan-angle offset, also used where it is not estimated"),
+    "latency": N_("Prior latency, also used where it is not estimated"),
+}
+TITLES = {
+    "lever_x": N_("Lever arm X"),
+    "lever_y": N_("Lever arm Y"),
+    "lever_z": N_("Lever arm Z"),
+    "range_offset": N_("Range offset"),
+    "scan_angle_offset": N_("Scan-angle offset"),
+    "latency": N_("Latency"),
 }
 KINDS: dict[str, Kind] = {
     name: Kind(
-        name, each.title, each.unit.replace("deg", "°"), each.factor, each.decimals,
-        *_MEANING[name],
+        name, TITLES[name], each.unit.replace("deg", "°"), each.factor, each.decimals,
+        *_LIMITS_AND_TEXTS[name],
     )
     for name, each in QUANTITIES.items()
 }  # fmt: skip
@@ -74,7 +120,7 @@ SCANNER = ("range_offset", "scan_angle_offset", "latency")
 
 
 class ParameterSwitches(QWidget):
-    """A row for each value: a switch, the value it starts from, and how well that is known."""
+    """A row for each value: a switch, its prior and the standard deviation of that."""
 
     changed = Signal()
 
@@ -89,25 +135,27 @@ class ParameterSwitches(QWidget):
         grid.setContentsMargins(8, 0, 0, 4)
         grid.setHorizontalSpacing(4)
         grid.setVerticalSpacing(3)
-        for column, (word, tip) in enumerate(
-            (("Prior", "The value it starts from"), ("± 1 σ", "How well that value is known"))
+        for column, (title, tip) in enumerate(
+            (
+                (gettext("Prior"), gettext("Value before the adjustment")),
+                (gettext("± 1 σ"), gettext("Standard deviation of the prior")),
+            )
         ):
-            head = widgets.label(word, "muted")
-            head.setToolTip(say(tip))
+            head = widgets.label(title, "muted")
+            head.setToolTip(tip)
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(head, 0, 1 + column)
         for row, kind in enumerate(KINDS.values(), start=1):
-            switch = QCheckBox(say(kind.title.replace("Scan-angle offset", "Scan angle")))
+            switch = QCheckBox(gettext(kind.short_title))
             switch.setObjectName(f"estimate_{kind.name}")
-            switch.setToolTip(say(f"Estimate the {_small(kind.title)} too ({kind.tip})"))
+            switch.setToolTip(gettext(kind.tip))
             switch.toggled.connect(self._switched)
             self.switches[kind.name] = switch
             grid.addWidget(switch, row, 0)
             grid.addWidget(self._prior(kind), row, 1)
             sigma = OptionalNumber(
-                f"sigma_{kind.name}", f"Prior sigma of the {_small(kind.title)}", kind.unit,
-                kind.scale, "not known",
-                f"How well the prior {_small(kind.title)} is known, one standard deviation",
+                f"sigma_{kind.name}", gettext(kind.sigma_title), kind.unit, kind.scale,
+                gettext("unknown"), gettext("Standard deviation of the prior"),
             )  # fmt: skip
             sigma.textChanged.connect(self.changed)
             sigma.setFixedWidth(78)
@@ -138,7 +186,7 @@ class ParameterSwitches(QWidget):
         )
 
     def show_settings(self, settings: Settings) -> None:
-        """Fill in, without telling anyone."""
+        """Fill in without emitting `changed`."""
         sigma = {parameter.name: parameter.sigma for parameter in settings.parameters}
         for name, switch in self.switches.items():
             switch.blockSignals(True)
@@ -146,7 +194,7 @@ class ParameterSwitches(QWidget):
             switch.blockSignals(False)
             self.sigmas[name].show_value(sigma.get(name))
         for name, metres in zip(LEVER, settings.lever_arm, strict=True):
-            self._lever[name].setText(units.signs(say(KINDS[name].text(metres)), "m"))
+            self._lever[name].setText(KINDS[name].amount(metres))
         self._shown = dict(
             zip(
                 SCANNER,
@@ -163,24 +211,24 @@ class ParameterSwitches(QWidget):
 
     @property
     def summary(self) -> str:
-        """The chosen ones in a few words."""
-        chosen = [KINDS[name].title for name, switch in self.switches.items() if switch.isChecked()]
+        """The chosen values, or how many there are."""
+        chosen = [KINDS[name] for name, switch in self.switches.items() if switch.isChecked()]
         if len(chosen) > 2:
-            return say(f"{len(chosen)} values")
-        return ", ".join(say(_small(title)) for title in chosen) if chosen else gettext("none")
+            return gettext(Plural("{count:n} parameter", "{count:n} parameters"), count=len(chosen))
+        return ", ".join(gettext(kind.summary) for kind in chosen) if chosen else gettext("none")
 
     def _prior(self, kind: Kind) -> QWidget:
         if kind.name in LEVER:
             shown = widgets.label("")
             shown.setFont(theme.tabular(shown.font()))
             shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            shown.setToolTip(say(f"Lever arm {kind.name[-1].upper()} as typed in step 1"))
+            shown.setToolTip(gettext("As given in step 1"))
             self._lever[kind.name] = shown
             return shown
         field = widgets.number(
             f"prior_{kind.name}", suffix=f" {kind.unit}", decimals=kind.decimals,
             low=-kind.limit, high=kind.limit, step=10 ** (1 - kind.decimals),
-            tip=f"{kind.title} as it is known: {kind.tip}; used where not estimated too",
+            tip=gettext(PRIOR_TIPS[kind.name]),
         )  # fmt: skip
         field.setFixedWidth(92)
         field.valueChanged.connect(self.changed)
@@ -188,7 +236,7 @@ class ParameterSwitches(QWidget):
         return field
 
     def _value(self, name: str) -> float:
-        """Metres, degrees or seconds; what was not moved keeps all its figures."""
+        """Metres, degrees or seconds, with all digits where the field was not changed."""
         typed, shown = self.priors[name].value(), self._shown.get(name, 0.0)
         if abs(typed - shown * _scale(name)) < ALIKE:
             return shown
@@ -206,7 +254,3 @@ class ParameterSwitches(QWidget):
 def _scale(name: str) -> float:
     """Shown units to one of `Settings`, which holds the scan-angle offset in degrees."""
     return 1.0 if name == "scan_angle_offset" else KINDS[name].scale
-
-
-def _small(title: str) -> str:
-    return title[0].lower() + title[1:]

@@ -1,4 +1,4 @@
-"""The target just found, waiting for a yes or a no."""
+"""The detected target, to be accepted or rejected."""
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame, QHBoxLayout
@@ -9,12 +9,32 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
 from lispac.gui.tabbing import ENTERS
-from lispac.project import Project, Target
+from lispac.language import N_, Plural, gettext
+from lispac.project import Project, Role, Shape, Target
 from lispac.workflow.survey import Survey
+
+TITLES: dict[Role, tuple[str, str]] = {
+    "target": (N_("Target {name}"), N_("Target {name} (replaces the present one)")),
+    "validation": (
+        N_("Validation plane {name}"),
+        N_("Validation plane {name} (replaces the present one)"),
+    ),
+}
+"""Titles of a new target and of one with a known name."""
+FOUND: dict[Shape, str] = {
+    "plane": N_(
+        "Found on {found:n} of {lines:n} lines: {points:n} points, at most {rms} RMS from their "
+        "planes."
+    ),
+    "sphere": N_(
+        "Found on {found:n} of {lines:n} lines: {points:n} points, at most {rms} RMS from their "
+        "spheres."
+    ),
+}
 
 
 class CandidateBox(QFrame):
-    """The target just found, waiting for a yes or a no."""
+    """The detected target, to be accepted or rejected."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -30,9 +50,12 @@ class CandidateBox(QFrame):
         self.double = widgets.label("", "warning", wrap=True, name="candidate_double")
         layout.addWidget(self.double)
         self.accept = widgets.button(
-            "Accept  ⏎", "accept_candidate", icon="check-bold", primary=True, tip="Enter"
+            gettext("Accept  ⏎"), "accept_candidate", icon="check-bold", primary=True,
+            tip=gettext("Enter"),
+        )  # fmt: skip
+        self.reject = widgets.button(
+            gettext("Reject  Esc"), "reject_candidate", icon="close", tip=gettext("Esc")
         )
-        self.reject = widgets.button("Reject  Esc", "reject_candidate", icon="close", tip="Esc")
         self.reject.installEventFilter(self)
         row = QHBoxLayout()
         row.addWidget(self.accept, 1)
@@ -40,36 +63,39 @@ class CandidateBox(QFrame):
         layout.addLayout(row)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Leave Enter to "Reject" where that has the focus: it accepts from anywhere else."""
+        """Leave Enter to "Reject" where that has the focus; elsewhere it accepts."""
         if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTERS:
             event.accept()
             return True
         return super().eventFilter(watched, event)
 
     def fill(self, candidate: Target, project: Project, survey: Survey | None) -> None:
-        """Say what was found, where not, and whether another target has the points already."""
+        """Show where the target was found, where not, and whether another one has its points."""
         known = any(target.name == candidate.name for target in project.targets)
-        lines = len(project.lines)
-        what = "Target" if candidate.role == "target" else "Validation plane"
-        again = " (in place of the present one)" if known else ""
-        self.title.setText(say(f"{what} {candidate.name}{again}"))
+        self.title.setText(gettext(TITLES[candidate.role][known], name=candidate.name))
         found = candidate.sightings
-        points = sum(len(sighting.indices) for sighting in found)
         worst = max((sighting.rms for sighting in found), default=0.0)
-        text = (
-            f"Found on {len(found)} of {lines} lines: {points:,} points, "
-            f"within {units.amount(1000 * worst, 'mm', '.1f')} RMS of their {candidate.shape}s."
-        )
+        sentences = [
+            gettext(
+                FOUND[candidate.shape],
+                found=len(found), lines=len(project.lines),
+                points=sum(len(sighting.indices) for sighting in found),
+                rms=units.local_amount(1000 * worst, "mm", ".1f"),
+            )
+        ]  # fmt: skip
         if candidate.shape == "sphere" and survey is not None:
-            text += f" {_of_spheres(candidate, survey)}"
-        if survey is not None:
-            text += _unexpected(candidate, survey)
+            sentences.append(_spheres_text(candidate, survey))
+        if candidate.expected is not None and survey is not None:
+            sentences.append(_comparison_text(candidate, survey))
         if candidate.missing:
-            text += f" Not found on {', '.join(candidate.missing)}."
-        self.detail.setText(say(text))
+            sentences.append(gettext("Not found on {lines:names}.", lines=list(candidate.missing)))
+        self.detail.setText(" ".join(sentences))
         self.detail.setToolTip(
             widgets.plain_tip(
-                say("\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items()))
+                "\n".join(
+                    gettext("{line}: {reason}", line=line, reason=say(reason))
+                    for line, reason in candidate.missing.items()
+                )
             )
         )
         self.lights.show_target(candidate)
@@ -78,30 +104,43 @@ class CandidateBox(QFrame):
         self.double.setVisible(bool(double))
 
 
-def _unexpected(target: Target, survey: Survey) -> str:
-    """What differs from what is expected, on the first line where something does."""
+def _comparison_text(target: Target, survey: Survey) -> str:
+    """How the target differs from the expected one, on the first line with a difference."""
     from lispac.workflow.qualities import unexpected
 
-    if target.expected is None:
-        return ""
-    said = unexpected(target, survey)
-    if not said:
-        return " Size and inclination are as expected."
-    line, words = next(iter(said.items()))
-    others = f" ({len(said) - 1} more lines differ too)" if len(said) > 1 else ""
-    return f" Not as expected on {line}: {' '.join(words)}{others}"
+    differences = unexpected(target, survey)
+    if not differences:
+        return gettext("Size and inclination are as expected.")
+    line, reasons = next(iter(differences.items()))
+    text = gettext(
+        "Not as expected on {line}: {reasons}", line=line, reasons=" ".join(map(say, reasons))
+    )
+    if len(differences) == 1:
+        return text
+    others = Plural(
+        "{count:n} other line differs as well.", "{count:n} other lines differ as well."
+    )
+    return f"{text} {gettext(others, count=len(differences) - 1)}"
 
 
-def _of_spheres(target: Target, survey: Survey) -> str:
-    """Radius and share seen, over the lines."""
+def _spheres_text(target: Target, survey: Survey) -> str:
+    """Radius and visible part of the spheres over the lines."""
     from lispac.workflow.picking import spheres_of
 
     patches = spheres_of(target, survey).values()
     radii = [patch.sphere.radius for patch in patches]
-    shares = [100 * patch.share for patch in patches]
+    shares = [patch.share for patch in patches]
     if target.sphere_radius is not None:
-        radius = f"Radius {units.amount(target.sphere_radius, 'm', 'g')} (known)"
-    else:
-        low, high = (units.amount(end(radii), "m", ".3f") for end in (min, max))
-        radius = f"Radius {low} to {high}"
-    return f"{radius}; {min(shares):.0f} to {max(shares):.0f} % of the surface seen."
+        return gettext(
+            "Radius {radius} (known). {lowest:percent.0} to {highest:percent.0} % of the surface "
+            "seen.",
+            radius=units.local_amount(target.sphere_radius, "m", "g"),
+            lowest=min(shares), highest=max(shares),
+        )  # fmt: skip
+    return gettext(
+        "Radius {smallest} to {largest}. {lowest:percent.0} to {highest:percent.0} % of the "
+        "surface seen.",
+        smallest=units.local_amount(min(radii), "m", ".3f"),
+        largest=units.local_amount(max(radii), "m", ".3f"),
+        lowest=min(shares), highest=max(shares),
+    )  # fmt: skip

@@ -1,4 +1,4 @@
-"""A plot in the window. Imported where the first one is made: Matplotlib takes half a second."""
+"""A plot in the window. Imported with the first plot: Matplotlib takes half a second."""
 
 from collections.abc import Callable
 
@@ -17,20 +17,20 @@ from lispac.gui.slices import Slices
 from lispac.gui.turns import Turn
 
 AFTER_MS = 20
-"""A plot takes 0.2 to 0.5 s, half of it to find room for all texts. What else changes with it is
-painted before, and keys are heard between its parts."""
+"""Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts: other
+changes are painted first, and keys are handled between its parts."""
 
 
 WHITE = "white"
 
 
 class _Renderer(RendererAgg):
-    """Agg, which may be interrupted while room is found for texts."""
+    """The Agg renderer, which can be interrupted during the layout of texts."""
 
     rest: Callable[[], None] | None = None
 
     def points_to_pixels(self, points: float) -> float:
-        """Called for every text and tick."""
+        """Convert a length; Matplotlib calls this for every text and tick."""
         if self.rest is not None:
             self.rest()
         pixels: float = super().points_to_pixels(points)
@@ -38,24 +38,24 @@ class _Renderer(RendererAgg):
 
 
 class Chart(FigureCanvasQTAgg):
-    """Matplotlib's canvas, drawn when it is seen and once for all that changed in it meanwhile.
+    """Matplotlib's canvas, drawn when it is visible, and once for all changes until then.
 
-    What is drawn on white paper is shown dimmed in a dark window, and copied as it is drawn.
+    A plot on white ground is dimmed in a dark window, and copied as it is drawn.
     """
 
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
-        """Make one that is at least so many pixels large, on a ground of this colour."""
+        """Set the minimum size in pixels, and the colour of the ground."""
         self._dims = ground == WHITE and theme.scheme().dark
         self._due: Turn | None = None
         self._stale = True
         self._layout = Slices()
-        """Room for texts is being found."""
+        """The layout of texts in progress."""
         self._hurried = False
-        """It was not found in time: the plot had changed by then."""
+        """Whether the plot changed before the layout was complete."""
         self._left: list[Artist] = []
-        """What is still to be drawn of a picture that was begun."""
+        """Parts of a started picture that are still to be drawn."""
         self._last: QImage | None = None
-        """What was drawn last as a whole, as it is shown, of the size it had then."""
+        """The last complete picture, as it was shown."""
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
@@ -64,7 +64,7 @@ class Chart(FigureCanvasQTAgg):
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:
-        """Draw soon after Qt wants to paint it: never while it lies behind another."""
+        """Draw soon after Qt paints the widget: never while it is hidden."""
         self._stale = True
         self.update()
 
@@ -77,7 +77,7 @@ class Chart(FigureCanvasQTAgg):
         self._last = self._drawn(dims=self._dims)
 
     def get_renderer(self) -> _Renderer:
-        """Return what draws a picture of the size that it has now."""
+        """Renderer of the present size."""
         width, height = self.get_width_height(physical=True)
         key = width, height, self.figure.dpi
         if key != self._drawn_with:
@@ -87,21 +87,21 @@ class Chart(FigureCanvasQTAgg):
         return self.renderer
 
     def _abandon(self) -> None:
-        """Leave off what was begun."""
+        """Abandon a started picture."""
         self._left = []
         self._layout.abandon()
 
     def _begin(self) -> None:
-        """Find room for all texts, in turns of its own; each plot has some, too."""
+        """Lay out the texts in several turns; each plot is a turn, too."""
         if not self._stale or self.width() <= 0 or self.height() <= 0:
             return
         self._abandon()
         self._stale = False
         spoken_ticks(self.figure)
         figure, layout = self.figure, self.figure.get_layout_engine()
-        if not figure.axes:  # nothing is in it yet
+        if not figure.axes:  # still empty
             self._begin_parts()
-        elif self._hurried:  # else what changes again and again would never be drawn
+        elif self._hurried:  # otherwise a plot that keeps changing would never be drawn
             layout.execute(figure)
             self._begin_parts()
         else:
@@ -119,12 +119,12 @@ class Chart(FigureCanvasQTAgg):
             self._finish()
 
     def _parts(self) -> list[Artist]:
-        """All that is drawn on the ground, in the order in which it is."""
+        """The artists on the ground, in drawing order."""
         parts = [each for each in self.figure.get_children() if each is not self.figure.patch]
         return sorted(parts, key=lambda each: each.get_zorder())
 
     def _go_on(self) -> None:
-        """Do a little more; what was changed meanwhile is drawn once this picture is there."""
+        """Draw the next part; later changes are drawn after this picture is complete."""
         if self._layout.under_way:
             if self._stale:
                 self._abandon()
@@ -135,9 +135,9 @@ class Chart(FigureCanvasQTAgg):
             else:
                 self._next.start()
             return
-        if not self._left:  # begun again, in another size
+        if not self._left:  # started again in another size
             return
-        if self._left[0] not in self.figure.get_children():  # taken away with the rest
+        if self._left[0] not in self.figure.get_children():  # removed with the rest
             self._left, self._stale = [], True
         else:
             self._left.pop(0).draw(self.renderer)
@@ -148,14 +148,14 @@ class Chart(FigureCanvasQTAgg):
         self.update()
 
     def _finish(self) -> None:
-        """Show the picture that is there now."""
+        """Show the complete picture."""
         self._last = self._drawn(dims=self._dims)
         self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
     @property
     def is_drawing(self) -> bool:
-        """Whether a picture was begun and is not there yet."""
+        """Whether a picture was started and is not complete."""
         return self._layout.under_way or bool(self._left)
 
     def _drawn(self, *, dims: bool = False) -> QImage:
@@ -168,18 +168,18 @@ class Chart(FigureCanvasQTAgg):
         return image
 
     def picture(self) -> QPixmap:
-        """Return what is or will be shown, on its own ground also where that is dimmed."""
+        """The picture that is shown or is due, without dimming."""
         if (self._stale or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
         return QPixmap.fromImage(self._drawn()) if self._dims else self.grab()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Begin again what was begun in another size."""
+        """Draw again in the new size."""
         self._abandon()
         super().resizeEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint what is drawn; until the new is, what was drawn last."""
+        """Paint the picture; the last one until a new one is complete."""
         drawn = not self._stale and not self.is_drawing
         if drawn and not self._dims:
             super().paintEvent(event)

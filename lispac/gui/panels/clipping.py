@@ -4,26 +4,27 @@ import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.clipping import SMALLEST, Box
+from lispac.language import N_, gettext
 
-TITLE = "Clip box"
-HINT = (
-    "Only what lies in the box is drawn, picked and measured. Drag the dots on its sides, or type "
-    "its lengths."
+TITLE = N_("Clip box")
+HINT = N_(
+    "Only points inside the box are drawn, picked and measured. Drag the handles on its sides, or "
+    "enter its lengths."
 )
 NO_BOX = "–"
-"""What stands for the lengths of none."""
+"""Shown instead of the lengths where there is no box."""
 LENGTHS = (
-    ("Depth", "Length of the box across the target, metres"),
-    ("Width", "Length of the box along the target, metres"),
-    ("Height", "Height of the box, metres"),
+    ("depth", N_("Depth"), N_("Length of the box across the target")),
+    ("width", N_("Width"), N_("Length of the box along the target")),
+    ("height", N_("Height"), N_("Height of the box")),
 )
+"""Key, title and tooltip of each field."""
 
 
 class ClippingPanel(QWidget):
-    """Three lengths, about what, and back to everything."""
+    """The three lengths of the box, and buttons that place and remove it."""
 
     sized = Signal(object)
     """Lengths, ndarray of shape (3,), metres."""
@@ -33,25 +34,28 @@ class ClippingPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         column = widgets.column(self)
-        column.addWidget(widgets.label(HINT, "muted", wrap=True))
+        column.addWidget(widgets.label(gettext(HINT), "muted", wrap=True))
         form = QFormLayout()
         self.fields = []
-        for word, tip in LENGTHS:
+        for key, title, tip in LENGTHS:
             field = widgets.number(
-                f"clip_{word.lower()}", suffix=" m", decimals=2, low=SMALLEST, high=10_000,
-                step=0.1, tip=tip,
+                f"clip_{key}", suffix=" m", decimals=2, low=SMALLEST, high=10_000,
+                step=0.1, tip=gettext(tip),
             )  # fmt: skip
             field.setFixedWidth(130)
             field.setKeyboardTracking(False)
             field.valueChanged.connect(lambda _value: self.sized.emit(self.lengths))
             self.fields.append(field)
-            form.addRow(say(word), field)
+            form.addRow(gettext(title), field)
         column.addLayout(form)
         row = QHBoxLayout()
         self.about = widgets.button(
-            "About the selection", "clip_about", tip="Lay the box about the selected target"
+            gettext("Around the selection"), "clip_about",
+            tip=gettext("Place the box around the selected target"),
+        )  # fmt: skip
+        self.reset = widgets.button(
+            gettext("Reset"), "clip_reset", tip=gettext("Remove the box and show all points")
         )
-        self.reset = widgets.button("Reset", "clip_reset", tip="Draw everything again")
         self.about.clicked.connect(lambda _on: self.about_asked.emit())
         self.reset.clicked.connect(lambda _on: self.reset_asked.emit())
         row.addWidget(self.about)
@@ -67,7 +71,7 @@ class ClippingPanel(QWidget):
         return np.array([field.value() for field in self.fields])
 
     def show_box(self, box: Box | None) -> None:
-        """Show its lengths, without telling anyone."""
+        """Show the lengths of the box without emitting a signal."""
         for k, field in enumerate(self.fields):
             field.setEnabled(box is not None)
             field.setSpecialValueText("" if box is not None else NO_BOX)

@@ -1,4 +1,6 @@
-"""Angles in another program: the same boresight as that program wants it typed."""
+"""Angles in another program: the boresight as it is entered there."""
+
+from html import escape
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -14,44 +16,60 @@ from lispac.errors import InputError
 from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
-from lispac.gui.panels.convention_inputs import CurrentSettings, GivenBoresight, ImuAxes
+from lispac.gui.panels.convention_inputs import (
+    CurrentSettings,
+    GivenBoresight,
+    ImuAxes,
+    program_name,
+)
 from lispac.gui.panels.convention_table import AnglesTable
 from lispac.gui.panels.gizmo import Gizmo
 from lispac.gui.panels.matrix_field import MatrixField
 from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
+from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import Setup, Stated
 from lispac.survey.conventions.correction import SUM_MATTERS
 from lispac.survey.conventions.present import Replacement, replacement
 from lispac.survey.conventions.systems import (
-    DIRECTION_WORDS,
     LISPAC,
     SCANNER_WORDS,
-    STATUS_WORDS,
     SYSTEMS,
     Convention,
+    Direction,
     Scanner,
     Status,
 )
 from lispac.survey.conventions.words import offsets_words
 from lispac.survey.georeferencing import Mounting
 
-TITLE = "Angles in another program"
+TITLE = N_("Angles in another program")
 _COLOURS: dict[Status, str] = {
     "verified": "done",
     "partly": "warning",
     "unverified": "error",
 }
-_SCANNER_SHORT: dict[Scanner, str] = {
-    "turned": "like the body axes",
-    "kept": "as in the raw points",
-    "mounted": "laid on them by a mounting",
+_STATUSES: dict[Status, tuple[str, str]] = {
+    "verified": (N_("Verified"), N_("{program} (verified)")),
+    "partly": (N_("Partly verified"), N_("{program} (partly verified)")),
+    "unverified": (N_("Not verified"), N_("{program} (not verified)")),
 }
+"""Title of each status, and a program with it."""
+_FORMULAS: dict[Direction, str] = {
+    "lidar_to_body": N_("{formula}, from LiDAR to body."),
+    "body_to_lidar": N_("{formula}, from body to LiDAR."),
+}
+_SCANNER_AXES: dict[Scanner, tuple[str, str]] = {
+    "turned": (N_("parallel to the body axes"), N_("parallel to the body axes (usual)")),
+    "kept": (N_("as in the raw points"), N_("as in the raw points (usual)")),
+    "mounted": (N_("rotated by a mounting"), N_("rotated by a mounting (usual)")),
+}
+"""Orientation of the scanner axes, and the same where it is the usual one of the program."""
 
 
 class ConventionPanel(QWidget):
-    """Shows a boresight in the convention of a chosen program, with what is assumed of it."""
+    """The boresight in the convention of a chosen program, with the assumptions about it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -77,12 +95,12 @@ class ConventionPanel(QWidget):
     def _build(self) -> None:
         body = QWidget()
         layout = widgets.column(body)
-        layout.addWidget(widgets.label("Program", "heading"))
+        layout.addWidget(widgets.label(gettext("Program"), "heading"))
         self.system = QComboBox()
         self.system.setObjectName("convention_system")
-        self.system.setAccessibleName(say("Program the angles are for"))
+        self.system.setAccessibleName(gettext("Program for which the angles are computed"))
         for each in SYSTEMS:
-            self.system.addItem(say(f"{each.name} ({STATUS_WORDS[each.status].lower()})"))
+            self.system.addItem(gettext(_STATUSES[each.status][1], program=program_name(each)))
         self.system.setMinimumContentsLength(24)
         self.system.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -126,7 +144,10 @@ class ConventionPanel(QWidget):
         self.scanner = QComboBox()
         self.scanner.setObjectName("convention_scanner")
         self.scanner.setToolTip(
-            say("How that program's scanner axes lie to those of the raw points")
+            gettext(
+                "Orientation of the scanner axes in that program, relative to those of the raw "
+                "points"
+            )
         )
         self.scanner.setMinimumContentsLength(16)
         self.scanner.setSizeAdjustPolicy(
@@ -134,22 +155,22 @@ class ConventionPanel(QWidget):
         )
         self.scanner.currentIndexChanged.connect(self._refresh)
         # One above the other: a French choice is as wide as the panel
-        layout.addWidget(widgets.label("Scanner axes there", "muted"))
+        layout.addWidget(widgets.label(gettext("Scanner axes in that program"), "muted"))
         layout.addWidget(self.scanner)
         self.matrix_head = widgets.label("", "heading", wrap=True)
         layout.addWidget(self.matrix_head)
         self.matrix = MatrixField(
-            "convention_matrix", "Matrix from scanner to body", read_only=True
+            "convention_matrix", gettext("Matrix from scanner to body"), read_only=True
         )
         layout.addWidget(self.matrix)
         self.copy = widgets.button(
-            "Copy matrix", "convention_copy", icon="content-copy",
-            tip="Copy the sixteen numbers, row by row, to the clipboard",
+            gettext("Copy matrix"), "convention_copy", icon="content-copy",
+            tip=gettext("Copy the 16 numbers to the clipboard, row by row"),
         )  # fmt: skip
         self.copy.clicked.connect(lambda: QApplication.clipboard().setText(self._all_digits))
         self.copy_angles = widgets.button(
-            "Copy angles", "convention_copy_angles", icon="content-copy",
-            tip="Copy the angles to type in, one a line with its name, to the clipboard",
+            gettext("Copy angles"), "convention_copy_angles", icon="content-copy",
+            tip=gettext("Copy the angles to the clipboard, one per line with its name"),
         )  # fmt: skip
         self.copy_angles.clicked.connect(lambda: QApplication.clipboard().setText(self._all_angles))
         row = QHBoxLayout()
@@ -168,9 +189,9 @@ class ConventionPanel(QWidget):
         convention = self.convention
         self.scanner.blockSignals(True)
         self.scanner.clear()
-        for kind, words in _SCANNER_SHORT.items():
-            usual = " (usual)" if kind == convention.scanner else ""
-            self.scanner.addItem(say(f"{words}{usual}"), kind)
+        for kind, (title, usual) in _SCANNER_AXES.items():
+            is_usual = kind == convention.scanner
+            self.scanner.addItem(gettext(usual if is_usual else title), kind)
         self.scanner.setCurrentIndex(self.scanner.findData(convention.scanner))
         self.scanner.blockSignals(False)
         self.scanner.setEnabled(convention.key != LISPAC.key)
@@ -190,37 +211,43 @@ class ConventionPanel(QWidget):
                 applied=self.current.applied.isChecked(), has_lever_arm=given.has_lever_arm,
             )  # fmt: skip
         except InputError as error:
-            self._show_refusal(str(error))
+            self._show_refusal(say(str(error)))
             return
         self._show_rules(setup, new.mounting)
         self._show_values(new)
         self._show_words(new.mounting)
         self._show_matrix(new.stated)
 
-    def _show_refusal(self, sentence: str) -> None:
-        self.assumption.setText(say(sentence))
+    def _show_refusal(self, text: str) -> None:
+        self.assumption.setText(escape(text))
         self.assumption.show()
         for widget in (self.table, self.remarks, self.lever, self.rules, self.matrix):
             widget.setVisible(False)
-        self.values_head.setText(say("No values"))
+        self.values_head.setText(gettext("No values"))
         for button in (self.copy, self.copy_angles):
             button.setEnabled(False)
 
     def _show_rules(self, setup: Setup, mounting: Mounting) -> None:
         convention = setup.convention
-        word = STATUS_WORDS[setup.status].capitalize()
         colour = theme.colour(_COLOURS[setup.status]).name()
         x, y, z = setup.axes
-        self.status.setText(say(f'<b style="color:{colour}">{word}</b>: {convention.source}.'))
-        rules = f"Body axes there: X {x}, Y {y}, Z {z}."
+        status = f'<b style="color:{colour}">{gettext(_STATUSES[setup.status][0])}</b>'
+        self.status.setText(
+            gettext("{status}: {source}.", status=status, source=say(convention.source))
+        )
+        rules = [
+            gettext("Body axes in that program: X {x}, Y {y}, Z {z}.", x=say(x), y=say(y), z=say(z))
+        ]
         if convention.has_angles:
-            formula = convention.formula.replace("-", "−")
-            rules = f"{formula}, {DIRECTION_WORDS[convention.direction]}. {rules}"
+            factors = convention.formula.replace("-", "−").split(" · ")
+            formula = " · ".join(map(say, factors))
+            rules.insert(0, gettext(_FORMULAS[convention.direction], formula=formula))
         if convention.key != LISPAC.key:
-            rules += f" {setup.scanner_words(mounting.rotation_body_lidar)}"
-        self.rules.setText(say(rules))
+            rules.append(say(setup.scanner_words(mounting.rotation_body_lidar)))
+        self.rules.setText(" ".join(rules))
         self.imu.show_z(z)
-        self.assumption.setText(f"<b>{say('Assumed:')}</b> {say(setup.assumption)}")
+        title = gettext("Assumed:")
+        self.assumption.setText(f"<b>{title}</b> {say(setup.assumption)}")
         self.assumption.setVisible(bool(setup.assumption))
 
     def _show_values(self, new: Replacement) -> None:
@@ -234,33 +261,42 @@ class ConventionPanel(QWidget):
         self.copy_angles.setEnabled(stated.angles is not None)
         self.table.setVisible(convention.has_angles)
         if stated.angles is None:
-            self.values_head.setText(say("Taken as a matrix only: see below"))
+            self.values_head.setText(gettext("This program takes a matrix: see below"))
             self.remarks.setVisible(correction is not None)
             if correction is not None:
-                self.remarks.setText(_matrix_words(correction.rotation, new.transform))
+                self.remarks.setText(_matrix_text(correction.rotation, new.transform))
         else:
             self.values_head.setText(
-                say("Type in there, degrees" if sure else "If the assumption holds, degrees")
+                gettext("Angles to enter, degrees")
+                if sure
+                else gettext("Angles if the assumption holds, degrees")
             )
             decimals = 8 if stated.note else 4
-            last = ("Type in" if sure else "If so", stated.angles, "+", True)
+            title = gettext("To enter") if sure else gettext("If it holds")
+            last = (title, stated.angles, "+", True)
             rows: list[tuple[str, np.ndarray, str, bool]] = [last]
             if correction is not None:
                 assert correction.current is not None
                 assert correction.correction is not None
-                rows = [("Now set", correction.current, "+", False),
-                        ("Correction", correction.correction, "+", False), last]  # fmt: skip
+                rows = [
+                    (gettext("Present"), correction.current, "+", False),
+                    (gettext("Correction"), correction.correction, "+", False),
+                    last,
+                ]
             if stated.sigmas is not None:
-                rows.append(("± 1 σ", stated.sigmas, "", False))
+                rows.append((gettext("± 1 σ"), stated.sigmas, "", False))
             self.table.fill(convention, rows, decimals)
             self._all_angles = _lines(convention, stated.angles, decimals)
             self._show_remarks(new)
-        arm = _lever_words(setup.axes, stated.lever_arm)
-        said = [f"Lever arm there, from the POS centre: {arm}"]
+        arm = _lever_arm_text(setup.axes, stated.lever_arm)
+        texts = [
+            gettext("Lever arm in that program, from the POS centre: {lever_arm}", lever_arm=arm)
+        ]
         if new.present is not None and new.present.lever_arm is not None:
-            said.append(f"Present: {_lever_words(setup.axes, new.present.lever_arm)}")
-            said.append(new.lever_arm_words)
-        self.lever.setText(say("<br>".join(said)))
+            present = _lever_arm_text(setup.axes, new.present.lever_arm)
+            texts.append(gettext("Present: {lever_arm}", lever_arm=present))
+            texts.append(say(new.lever_arm_words))
+        self.lever.setText("<br>".join(texts))
 
     def _show_remarks(self, new: Replacement) -> None:
         stated, correction = new.stated, new.correction
@@ -268,17 +304,18 @@ class ConventionPanel(QWidget):
         lines = [f"{signs[0].upper()}{signs[1:]}"]
         if correction is not None:
             lines.append(
-                say("The matrix of the correction stands on the left: new = correction · present.")
+                gettext("Multiply the correction from the left: new = correction · present.")
             )
             error = correction.sum_error
             if error > SUM_MATTERS:
-                lines.append(_off(error))
+                lines.append(_sum_error_text(error))
         if new.transform is not None:
-            lines.append(f"{say('The correction of the 4x4 matrix:')}<br>{_code(new.transform)}")
+            title = gettext("Correction of the 4x4 matrix:")
+            lines.append(f"{title}<br>{_code(new.transform)}")
         if stated.note:
             lines.append(f"<b>{say(stated.note)}</b>")
         if stated.sigmas is not None and self.given.caution:
-            lines.append(say(self.given.caution))
+            lines.append(self.given.caution)
         self.remarks.setText("<br>".join(lines))
 
     def _show_words(self, mounting: Mounting) -> None:
@@ -291,24 +328,31 @@ class ConventionPanel(QWidget):
         self.gizmo.show_boresight(np.asarray(mounting.plain.boresight, dtype=float))
 
     def _show_matrix(self, stated: Stated) -> None:
-        name = stated.setup.convention.name
-        self.matrix_head.setText(say(f"Scanner to body there, with the lever arm ({name})"))
+        name = program_name(stated.setup.convention)
+        self.matrix_head.setText(
+            gettext("Scanner to body in {program}, with the lever arm", program=name)
+        )
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
         self.matrix.setToolTip(say(SCANNER_WORDS[stated.setup.scanner_frame]))
 
 
-def _matrix_words(rotation: np.ndarray, transform: np.ndarray | None) -> str:
-    words = "The matrix below replaces the present one: new = correction · present. The correction:"
-    return f"{say(words)}<br>{_code(rotation if transform is None else transform)}"
+def _matrix_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
+    text = gettext(
+        "The matrix below replaces the present one: new = correction · present. Correction:"
+    )
+    return f"{text}<br>{_code(rotation if transform is None else transform)}"
 
 
-def _off(error: float) -> str:
-    """What the sum of the angles would be wrong by, radians."""
-    angle = units.figure(float(np.degrees(error)), "°", ".4f")
-    off, far = units.figure(error * 1e5, "mm", ".0f"), units.limit(100.0, "m")
-    said = say(f"<b>Do not add the angles:</b> the sum would be {angle}° off, {off} mm at {far} m.")
-    return units.signs(said, "°", "mm", "m")
+def _sum_error_text(error: float) -> str:
+    """Warning that the sum of the angles is wrong by so many radians."""
+    return gettext(
+        "<b>Do not add the angles.</b> Their sum would be wrong by {angle}, or {distance} at "
+        "{range}.",
+        angle=units.local_amount(float(np.degrees(error)), "°", ".4f"),
+        distance=units.local_amount(error * 1e5, "mm", ".0f"),
+        range=units.local_amount(100.0, "m", ".0f"),
+    )
 
 
 def _code(matrix: np.ndarray) -> str:
@@ -316,10 +360,10 @@ def _code(matrix: np.ndarray) -> str:
     return f"<code>{rows}</code>"
 
 
-def _lever_words(axes: Axes, values: np.ndarray) -> str:
+def _lever_arm_text(axes: Axes, values: np.ndarray) -> str:
     # Unbreakable, so that a line ends between two axes and never before a number.
     return ", ".join(
-        f"{letter} {say(axis)} <b>{say(f'{value + 0.0:+.4f}')}</b> m".replace("-", "−").replace(
+        f"{letter} {say(axis)} <b>{units.localised(f'{value + 0.0:+.4f}')}</b> m".replace(
             " ", "&nbsp;"
         )
         for letter, axis, value in zip("XYZ", axes, np.round(values, 4), strict=True)

@@ -1,4 +1,4 @@
-"""What the user gives for a conversion: the boresight, the present settings, the axes."""
+"""Inputs of a conversion: the boresight, the present settings, the axes."""
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.matrix_field import MatrixField
+from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, completed_axes
 from lispac.survey.conventions.conversion import Setup
@@ -21,19 +22,36 @@ from lispac.survey.conventions.systems import Convention
 from lispac.survey.conventions.typed import matrix_of_text
 from lispac.survey.georeferencing import Mounting
 
-BY_HAND = "Typed by hand."
+USER_DEFINED = N_("User-defined values.")
+MEANINGS = (
+    N_("Positive with the left side up"),
+    N_("Positive with the bow down"),
+    N_("Positive clockwise seen from above"),
+)
+"""Signs of roll, pitch and yaw."""
+TRANSLATED_PROGRAMS = (
+    N_("This program (iXblue)"),
+    N_("Phoenix SpatialExplorer 6 and later"),
+    N_("Phoenix SpatialExplorer 1 to 5"),
+)
+"""Names of programs that differ between languages."""
+
+
+def program_name(convention: Convention) -> str:
+    """Name of a program in the user's language."""
+    return gettext(convention.name)
 
 
 class GivenBoresight(QWidget):
-    """The boresight and lever arm to convert: the project's, or typed by hand.
+    """The boresight and lever arm to convert: those of the project, or user-defined.
 
     Attributes
     ----------
     mounting : Mounting
-        With all digits where it is the project's.
+        With all digits where it is that of the project.
     covariance : ndarray of shape (3, 3), radians squared, or None
-    caution : what to know about the sigmas, else empty
-    has_lever_arm : whether the lever arm is known: a project's is, and what was typed
+    caution : warning about the sigmas, in the user's language, or empty
+    has_lever_arm : whether the lever arm is that of a project, or user-defined
     """
 
     changed = Signal()
@@ -48,34 +66,38 @@ class GivenBoresight(QWidget):
         self._key: tuple[object, ...] = ()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(widgets.label("Boresight and lever arm in this program", "heading"))
-        self.source = widgets.label(BY_HAND, "muted", wrap=True, name="convention_source")
+        layout.addWidget(widgets.label(gettext("Boresight and lever arm in LISPAC"), "heading"))
+        self.source = widgets.label(
+            gettext(USER_DEFINED), "muted", wrap=True, name="convention_source"
+        )
         layout.addWidget(self.source)
         self.boresight = widgets.boresight_fields("convention_boresight")
         self.lever_arm = widgets.lever_arm_fields("convention_lever_arm")
-        meanings = ("left side up", "bow down", "clockwise from above")
-        for field, meaning in zip(self.boresight.fields, meanings, strict=True):
-            field.setToolTip(say(f"Degrees, positive {meaning}"))
+        for field, meaning in zip(self.boresight.fields, MEANINGS, strict=True):
+            field.setToolTip(gettext(meaning))
         for field in (*self.boresight.fields, *self.lever_arm.fields):
             field.valueChanged.connect(self._typed)
         layout.addWidget(self.boresight)
         layout.addWidget(self.lever_arm)
         self.take = widgets.button(
-            "Take from the project", "convention_take",
-            tip="The estimated boresight of the project, or its prior where none is estimated",
+            gettext("Take from the project"), "convention_take",
+            tip=gettext(
+                "Take the estimated boresight of the project, or the prior one where there is no "
+                "estimate"
+            ),
         )  # fmt: skip
         self.take.clicked.connect(self._take)
         self.take.setEnabled(False)
         layout.addWidget(self.take, alignment=Qt.AlignmentFlag.AlignLeft)
 
     def show_project(self, project: Project | None) -> None:
-        """Offer the project's boresight, and take it where it is another than before."""
+        """Take the boresight of the project where it changed."""
         self._offered = None if project is None else _offer(project)
         self.take.setEnabled(self._offered is not None)
         key: tuple[object, ...] = ()
         if project is not None:
             key = (project.folder, project.result, *project.mounting("prior").values)
-        # Other edits of the project leave alone what was typed.
+        # Other edits of the project keep the typed values.
         if key != self._key:
             self._key = key
             self._take()
@@ -87,7 +109,7 @@ class GivenBoresight(QWidget):
         self.boresight.set_value(np.degrees(self.mounting.boresight))
         self.lever_arm.set_value(self.mounting.lever_arm)
         self.has_lever_arm = True
-        self.source.setText(say(source))
+        self.source.setText(source)
         self.changed.emit()
 
     def _typed(self) -> None:
@@ -96,12 +118,12 @@ class GivenBoresight(QWidget):
         )
         self.covariance, self.caution = None, ""
         self.has_lever_arm = bool(np.any(self.mounting.lever_arm))
-        self.source.setText(say(BY_HAND))
+        self.source.setText(gettext(USER_DEFINED))
         self.changed.emit()
 
 
 class CurrentSettings(QWidget):
-    """The angles that are set in the other program now, where they are to be corrected."""
+    """The present settings of the other program, where they are to be corrected."""
 
     changed = Signal()
 
@@ -109,10 +131,10 @@ class CurrentSettings(QWidget):
         super().__init__()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        self.known = QCheckBox(say("Correct what is set there now"))
+        self.known = QCheckBox(gettext("Correct the present settings"))
         self.known.setObjectName("convention_has_current")
         self.known.setToolTip(
-            say("Give the present settings of that program to see the correction")
+            gettext("Enter the present settings of that program to get the correction")
         )
         layout.addWidget(self.known)
         self._box = QWidget()
@@ -129,30 +151,29 @@ class CurrentSettings(QWidget):
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
-        self.as_matrix = QCheckBox(say("Give them as a matrix"))
+        self.as_matrix = QCheckBox(gettext("Enter them as a matrix"))
         self.as_matrix.setObjectName("convention_as_matrix")
         self.as_matrix.setToolTip(
-            say("Paste the present matrix of that program instead of its angles")
+            gettext("Paste the present matrix of that program instead of its angles")
         )
         inner.addWidget(self.as_matrix)
         self.matrix = MatrixField(
-            "convention_current_matrix", "Present matrix from scanner to body"
+            "convention_current_matrix", gettext("Present matrix from scanner to body")
         )
         self.matrix.setToolTip(
-            say(
-                "Present matrix from scanner to body in that program, row by row: 3x3 "
-                "numbers, or 4x4 "
-                "with the lever arm in metres"
+            gettext(
+                "Present matrix from scanner to body in that program, row by row: 3x3 numbers, or "
+                "4x4 with the lever arm in metres"
             )
         )
         self.matrix.setPlaceholderText("1 0 0\n0 1 0\n0 0 1")
         inner.addWidget(self.matrix)
-        self.applied = QCheckBox(say("The lines were already turned by them"))
+        self.applied = QCheckBox(gettext("Already applied to the lines"))
         self.applied.setObjectName("convention_applied")
         self.applied.setToolTip(
-            say(
-                "Tick where that program had applied these angles before it wrote the lines: the "
-                "boresight found is then what comes on top"
+            gettext(
+                "Tick if that program applied these settings before it wrote the lines. The "
+                "estimated boresight is then a correction to them."
             )
         )
         inner.addWidget(self.applied)
@@ -169,19 +190,19 @@ class CurrentSettings(QWidget):
             field.valueChanged.connect(self.changed)
 
     def of(self, setup: Setup) -> Present | None:
-        """What is set there now; None where it plays no part.
+        """The present settings; None where they are not to be corrected.
 
         Raises
         ------
         InputError
-            Where what was typed for a matrix is none.
+            Where the typed text is not a matrix.
         """
         if not self.known.isChecked():
             return None
         if not self.as_matrix.isChecked():
             return Present(np.radians(self.fields.value()))
         return present_of_matrix(
-            setup, *matrix_of_text(self.matrix.toPlainText(), "Present matrix")
+            setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Present matrix"))
         )
 
     def _show_fields(self) -> None:
@@ -203,10 +224,15 @@ class CurrentSettings(QWidget):
         ):
             label.setText(say(turn.name.capitalize()))
             field.setToolTip(
-                say(f"Present {turn.name} in {convention.name}, degrees, {turn.meaning}")
-            )
-            field.setAccessibleName(say(f"Present {turn.name}"))
-        # Settings given for one program mean nothing in another.
+                gettext(
+                    "Present {angle} in {program}, {meaning}",
+                    angle=say(turn.name),
+                    program=program_name(convention),
+                    meaning=say(turn.meaning),
+                )
+            )  # fmt: skip
+            field.setAccessibleName(gettext("Present {angle}", angle=say(turn.name)))
+        # Settings of one program do not apply to another.
         self.fields.set_value((0.0, 0.0, 0.0))
 
 
@@ -222,14 +248,16 @@ class ImuAxes(QWidget):
         self.x, self.y = QComboBox(), QComboBox()
         for letter, box in (("X", self.x), ("Y", self.y)):
             box.setObjectName(f"imu_{letter.lower()}")
-            box.setToolTip(say(f"Where the {letter} axis of the IMU points on the vessel"))
-            box.setAccessibleName(say(f"IMU {letter} axis"))
+            box.setToolTip(
+                gettext("Direction of the {axis} axis of the IMU on the vessel", axis=letter)
+            )
+            box.setAccessibleName(gettext("IMU {axis} axis", axis=letter))
             box.addItems(say_all(DIRECTIONS))
-            row.addWidget(widgets.label(f"IMU {letter}", "muted"))
+            row.addWidget(widgets.label(gettext("IMU {axis}", axis=letter), "muted"))
             row.addWidget(box)
         self._z = widgets.label("", "muted", name="imu_z")
         row.addWidget(self._z, 1)
-        self.y.setCurrentText("port")
+        self.y.setCurrentIndex(DIRECTIONS.index("port"))
         for box in (self.x, self.y):
             box.currentIndexChanged.connect(self.changed)
 
@@ -239,24 +267,29 @@ class ImuAxes(QWidget):
         return completed_axes(DIRECTIONS[self.x.currentIndex()], DIRECTIONS[self.y.currentIndex()])
 
     def show_z(self, direction: str) -> None:
-        """Tell where the third axis points."""
-        self._z.setText(say(f"Z {direction}"))
+        """Show the direction of the third axis."""
+        self._z.setText(gettext("Z {direction}", direction=say(direction)))
 
 
 def _offer(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:
-    """Mounting, covariance, caution and where it comes from."""
+    """Mounting, covariance, caution and source; texts in the user's language."""
     result = project.result
     if result is None:
         return project.mounting("prior"), None, "", (
-            f"Prior boresight of {project.name}: nothing has been estimated yet."
+            gettext(
+                "Prior boresight of {project}. Nothing has been estimated yet.",
+                project=project.name,
+            )
         )  # fmt: skip
     independent = result.model.pos_errors == "independent"
     caution = (
-        "Uncorrelated POS errors: these sigmas are several times too small." if independent else ""
-    )  # fmt: skip
+        gettext("Uncorrelated POS errors: these standard deviations are several times too small.")
+        if independent
+        else ""
+    )
     return (
         project.mounting("estimated"),
         np.asarray(result.covariance)[:3, :3],
         caution,
-        f"Estimated boresight of {project.name}.",
+        gettext("Estimated boresight of {project}.", project=project.name),
     )

@@ -7,24 +7,25 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.language import say, say_all
+from lispac.language import gettext
 from lispac.survey.conventions.systems import Convention
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _ROW = 25
 Row = tuple[str, np.ndarray, str, bool]
-"""Word at the left, angles in radians, format of the sign, bold."""
+"""Title in the user's language, angles in radians, format of the sign, bold."""
 
 
 class AnglesTable(QTableWidget):
-    """Three angles in a row; every digit can be read, by a scroll bar where they are many."""
+    """Three angles in a row, with a scroll bar where their digits need more space."""
 
     def __init__(self) -> None:
         super().__init__(1, 3)
         self.setTabKeyNavigation(False)
         self.setObjectName("convention_table")
-        self.setAccessibleName(say("Angles in the other program"))
+        self.setAccessibleName(gettext("Angles in the other program"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -38,28 +39,28 @@ class AnglesTable(QTableWidget):
         head.setHighlightSections(False)
 
     def fill(self, convention: Convention, rows: Sequence[Row], decimals: int) -> None:
-        """Name the columns as the program does and write the rows in degrees."""
+        """Show the rows in degrees, with columns named as in the program."""
         self.setRowCount(len(rows))
         self.setHorizontalHeaderLabels(say_all(name.capitalize() for name in convention.names))
-        self.setVerticalHeaderLabels(say_all([word for word, *_ in rows]))
+        self.setVerticalHeaderLabels([title for title, *_ in rows])
         for column, turn in enumerate(convention.turns):
             self.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
             self.horizontalHeaderItem(column).setToolTip(say(turn.meaning.capitalize()))
         for row, (_, values, sign, bold) in enumerate(rows):
             for column, value in enumerate(np.round(np.degrees(values), decimals)):
-                item = QTableWidgetItem(say(f"{value + 0.0:{sign}.{decimals}f}".replace("-", "−")))
+                item = QTableWidgetItem(units.localised(f"{value + 0.0:{sign}.{decimals}f}"))
                 item.setTextAlignment(_RIGHT)
                 item.setFont(theme.tabular(self.font(), bold=bold))
                 self.setItem(row, column, item)
         self._lay_out()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the new width out among the columns."""
+        """Distribute the new width over the columns."""
         super().resizeEvent(event)
         self._lay_out()
 
     def _lay_out(self) -> None:
-        """Give each column what its numbers need, and share out what is left."""
+        """Give each column the width of its numbers, and distribute the rest."""
         head = self.horizontalHeader()
         needed = [
             max(self.sizeHintForColumn(k), head.sectionSizeHint(k)) for k in range(head.count())

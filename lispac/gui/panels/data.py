@@ -1,4 +1,4 @@
-"""Step 1: the files, the lines, and the mounting the user states."""
+"""Step 1: the files, the lines and the mounting."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QHeaderView,
+    QLabel,
     QScrollArea,
     QTableWidget,
     QTableWidgetItem,
@@ -16,16 +17,16 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.gui.panels.number_field import ALIKE
+from lispac.language import gettext, number
 from lispac.project import Project, Settings
 from lispac.workflow.survey import Survey
 
 
 class DataPanel(QWidget):
-    """Shows what the project points at; lets the user hide lines and change the mounting."""
+    """Shows the files of the project; lets the user hide lines and change the mounting."""
 
     line_shown = Signal(str, bool)
     """A line is to be shown, or hidden."""
@@ -52,8 +53,8 @@ class DataPanel(QWidget):
         files.setVerticalSpacing(4)
         self._trajectory = widgets.label(name="trajectory_name")
         self._accuracy = widgets.label(name="accuracy_name")
-        files.addRow(widgets.label("Trajectory", "muted"), self._trajectory)
-        files.addRow(widgets.label("Accuracy", "muted"), self._accuracy)
+        files.addRow(widgets.label(gettext("Trajectory"), "muted"), self._trajectory)
+        files.addRow(widgets.label(gettext("Accuracy"), "muted"), self._accuracy)
         filled.addLayout(files)
 
         self.lines = _lines_table()
@@ -64,33 +65,38 @@ class DataPanel(QWidget):
         self.boresight = widgets.boresight_fields("prior")
         self.lidar_sigma = widgets.number(
             "lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
-            tip="Standard deviation of one LiDAR point on each axis, millimetres",
+            tip=gettext("Standard deviation of one LiDAR point on each axis"),
         )  # fmt: skip
-        filled.addWidget(widgets.label("Lever arm, POS to LiDAR", "heading"))
+        filled.addWidget(widgets.label(gettext("Lever arm, POS to LiDAR"), "heading"))
         filled.addWidget(self.lever_arm)
-        filled.addWidget(widgets.label("Prior boresight", "heading"))
+        filled.addWidget(widgets.label(gettext("Prior boresight"), "heading"))
         filled.addWidget(self.boresight)
         self.mounting = MountingView("mounting")
         filled.addWidget(self.mounting)
         noise = QHBoxLayout()
-        noise.addWidget(widgets.label("LiDAR noise (1 σ)"))
+        noise.addWidget(widgets.label(gettext("LiDAR noise (1 σ)")))
         noise.addStretch(1)
         noise.addWidget(self.lidar_sigma)
         filled.addLayout(noise)
 
         self.apply = widgets.button(
-            "Apply", "apply_mounting", primary=True,
-            tip="Place the lines with these numbers; results that rest on the old ones are dropped",
+            gettext("Apply"), "apply_mounting", primary=True,
+            tip=gettext(
+                "Place the lines with these values; results from the previous ones are discarded"
+            ),
         )  # fmt: skip
-        self.revert = widgets.button("Revert", "revert_mounting", tip="Back to the values in use")
+        self.revert = widgets.button(
+            gettext("Revert"), "revert_mounting", tip=gettext("Restore the values in use")
+        )
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(self.revert)
         row.addWidget(self.apply)
         filled.addLayout(row)
         self.details = widgets.button(
-            "Details for the report…", "data_details", icon="card-account-details-outline",
-            tip="Surveyor, vessel, instruments, dates: what page one of the report says",
+            gettext("Details for the report…"), "data_details",
+            icon="card-account-details-outline",
+            tip=gettext("Surveyor, vessel, instruments and dates for page one of the report"),
         )  # fmt: skip
         self.details.clicked.connect(self.details_asked)
         filled.addWidget(self.details)
@@ -110,7 +116,9 @@ class DataPanel(QWidget):
             self._settings = None
             return
         _name_file(self._trajectory, project.trajectory, "")
-        _name_file(self._accuracy, project.accuracy, "typed sigmas, the same at all times")
+        _name_file(
+            self._accuracy, project.accuracy, gettext("given standard deviations, constant in time")
+        )
         self._list_lines(project, survey)
         if project.settings != self._settings:
             self._fill(project.settings)
@@ -140,15 +148,14 @@ class DataPanel(QWidget):
                 | Qt.ItemFlag.ItemIsUserCheckable
             )
             item.setCheckState(shown.get(line.name, Qt.CheckState.Checked))
-            item.setToolTip(
-                widgets.plain_tip(f"{line.path}\n{say('Tick to show the line in the view')}")
-            )
+            use = gettext("Tick to show the line in the view")
+            item.setToolTip(widgets.plain_tip(f"{line.path}\n{use}"))
             table.setItem(row, 0, item)
             here = survey is not None and line.name in survey.scans
             heading = f"{_degrees(survey.heading[line.name])}°" if here else "–"
-            points = f"{len(survey.scans[line.name]):,}" if here else "–"
+            points = number(len(survey.scans[line.name]), 0) if here else "–"
             for place, text in ((1, heading), (2, points)):
-                cell = QTableWidgetItem(say(text))
+                cell = QTableWidgetItem(text)
                 cell.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 cell.setFont(theme.tabular(table.font()))
@@ -172,7 +179,7 @@ class DataPanel(QWidget):
         self._compare()
 
     def _edited(self) -> Settings | None:
-        """Settings with every field the user moved; None where nothing differs as shown."""
+        """Settings with the fields that the user changed; None where there are none."""
         if self._settings is None:
             return None
         fresh = self._settings
@@ -191,7 +198,7 @@ class DataPanel(QWidget):
         self.revert.setEnabled(differs)
 
     def _keep_in_sight(self, field: QWidget) -> None:
-        """On a low screen too the sketch is seen beside the field that is typed into."""
+        """Scroll so that a low screen shows the sketch with the field that has the focus."""
         above = self.parentWidget()
         while above is not None and not isinstance(above, QScrollArea):
             above = above.parentWidget()
@@ -213,13 +220,18 @@ class _EmptyState(QWidget):
         layout = widgets.column(self, 0)
         layout.addWidget(
             widgets.label(
-                "A project holds a trajectory (SBET), its accuracies, and one raw scan file for "
-                "each pass of the vessel.", "hint", wrap=True,
+                gettext(
+                    "A project holds a trajectory (SBET), its accuracies and one raw scan file for "
+                    "each line."
+                ),
+                "hint", wrap=True,
             )
         )  # fmt: skip
-        make = widgets.button("New project…", "empty_new", icon="folder-plus-outline", primary=True)
-        load = widgets.button("Open project…", "empty_open", icon="folder-open-outline")
-        demo = widgets.button("Open the demo survey", "empty_demo", icon="ferry")
+        make = widgets.button(
+            gettext("New project…"), "empty_new", icon="folder-plus-outline", primary=True
+        )
+        load = widgets.button(gettext("Open project…"), "empty_open", icon="folder-open-outline")
+        demo = widgets.button(gettext("Open the demo survey"), "empty_demo", icon="ferry")
         make.clicked.connect(panel.new_asked)
         load.clicked.connect(panel.open_asked)
         demo.clicked.connect(panel.demo_asked)
@@ -231,8 +243,8 @@ def _lines_table() -> QTableWidget:
     table = QTableWidget(0, 3)
     table.setTabKeyNavigation(False)
     table.setObjectName("lines_table")
-    table.setAccessibleName(say("Lines of the survey"))
-    table.setHorizontalHeaderLabels(say_all(["Line", "Heading", "Points"]))
+    table.setAccessibleName(gettext("Lines of the survey"))
+    table.setHorizontalHeaderLabels([gettext("Line"), gettext("Heading"), gettext("Points")])
     for column in (1, 2):
         table.horizontalHeaderItem(column).setTextAlignment(
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -254,13 +266,13 @@ def _lines_table() -> QTableWidget:
     return table
 
 
-def _name_file(where, path: Path | None, otherwise: str) -> None:
-    where.setText(path.name if path is not None else say(otherwise))
-    where.setToolTip(widgets.plain_tip(str(path) if path is not None else say(otherwise)))
+def _name_file(label: QLabel, path: Path | None, otherwise: str) -> None:
+    label.setText(path.name if path is not None else otherwise)
+    label.setToolTip(widgets.plain_tip(str(path) if path is not None else otherwise))
 
 
 def _moved(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:
-    # The fields keep all digits of what they show.
+    # A field keeps all digits of the value that it shows.
     return any(abs(a - b) > ALIKE for a, b in zip(shown, kept, strict=True))
 
 

@@ -8,14 +8,16 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels.adjust_parameters import KINDS
+from lispac.gui.panels.diagnostics_rows import ANGLE_TITLES
+from lispac.language import N_, gettext
 
 MARKERS = ("o", "s", "^")
-"""Told apart without the colours, too."""
+"""One for each angle, so that colours are not needed to distinguish them."""
 TEXT, SMALL = 9, 8
+DIRECTIONS = (N_("weakest"), N_("middle"), N_("strongest"))
 SMALLEST_DEG = 1e-12
-"""Below, doubles say nothing: keeps the logarithm finite."""
+"""Smaller differences are rounding errors; the limit keeps the logarithm finite."""
 
 
 def convergence(result: AdjustmentResult, figure: Figure) -> None:
@@ -24,23 +26,26 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
     away = np.abs(path - path[-1]) * units.unit("°").factor
     count, last = np.arange(len(path)), np.degrees(result.angles)
-    for k, angle in enumerate(ANGLES):
+    for k, title in enumerate(ANGLE_TITLES):
+        value = units.local_amount(float(last[k]), "°", "+.4f")
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(
             count[:-1], shown, color=theme.scheme().series[k], marker=MARKERS[k], markersize=4,
             linewidth=1.3,
-            label=_degrees(f"{angle}  {_figure(float(last[k]), '+.4f')}°"),
+            label=f"{gettext(title)}  {value}",
         )  # fmt: skip
     sigma = float(np.degrees(result.sigma.min()))
     sigma *= units.unit("°").factor
     axes.axhline(sigma, color=theme.MUTED, linewidth=1, linestyle="--")
     axes.annotate(
-        say("smallest sigma"), (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
+        gettext("smallest σ"), (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
         textcoords="offset points", ha="right", fontsize=SMALL, color=theme.MUTED,
     )  # fmt: skip
     axes.set_yscale("log")
-    axes.set_xlabel(say("Iteration"), fontsize=TEXT)
-    axes.set_ylabel(_degrees("From last value, °"), fontsize=TEXT)
+    axes.set_xlabel(gettext("Iteration"), fontsize=TEXT)
+    axes.set_ylabel(
+        gettext("Difference from the last value, {unit}", unit=units.local_sign("°")), fontsize=TEXT
+    )
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="lower left")
 
@@ -48,14 +53,14 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
 def correlations(result: AdjustmentResult, figure: Figure) -> None:
     """Heat map of all estimated values, with numbers."""
     axes = _axes(figure)
-    names = [say(short_name(name)) for name in result.estimated]
+    names = [short_title(name) for name in result.estimated]
     shades = LinearSegmentedColormap.from_list(
         "correlation", [theme.NEGATIVE, theme.PAPER, theme.POSITIVE]
     )
     image = axes.imshow(result.correlation_all, cmap=shades, vmin=-1, vmax=1, aspect="auto")
     for (row, column), value in np.ndenumerate(result.correlation_all):
         axes.text(
-            column, row, say(f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")),
+            column, row, units.localised(f"{value:+.2f}"),
             ha="center", va="center", fontsize=SMALL,
             color=theme.TEXT,
         )  # fmt: skip
@@ -67,28 +72,28 @@ def correlations(result: AdjustmentResult, figure: Figure) -> None:
 
 
 def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
-    """Estimated POS error of each sighting, with its prior's 2-sigma band."""
+    """Estimated POS error of each sighting, with the band of its prior ± 2 σ."""
     figure.clear()
     parts = (
-        ("Position, mm", "mm", 1e3, slice(0, 3), ("north", "west", "up")),
         (
-            "Attitude, 0.001°",
-            "m°",
-            float(np.degrees(1e3)),
-            slice(3, 6),
-            ("roll", "pitch", "heading"),
+            N_("Position, {unit}"), "mm", 1e3, slice(0, 3),
+            (N_("north"), N_("west"), N_("up")),
         ),
-    )
+        (
+            N_("Attitude, {unit}"), "m°", float(np.degrees(1e3)), slice(3, 6),
+            (N_("roll"), N_("pitch"), N_("heading")),
+        ),
+    )  # fmt: skip
     items = result.reliability
     names = [f"{item.sighting.target} {item.sighting.line}" for item in items]
     place = np.arange(len(items))
-    for number, (title, base, scale, which, words) in enumerate(parts, start=1):
-        axes = figure.add_subplot(1, 2, number)
+    for subplot, (title, base, scale, which, components) in enumerate(parts, start=1):
+        axes = figure.add_subplot(1, 2, subplot)
         _dress(axes)
         scale *= units.unit(base).factor
         error = np.array([item.pos_error[which] for item in items]) * scale
         prior = np.array([item.pos_sigma[which] for item in items]) * scale
-        for k, word in enumerate(words):
+        for k, component in enumerate(components):
             offset = place + 0.24 * (k - 1)
             # One collection: a patch for each bar takes as long as all else in the figure
             left, right, up = offset - 0.1, offset + 0.1, 2 * prior[:, k]
@@ -96,63 +101,54 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
             bars = PolyCollection(
                 np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1),
                 facecolor=theme.scheme().series[k], alpha=0.18, linewidth=0,
-                label=None if k else say("prior ± 2 σ"),
+                label=None if k else gettext("prior ± 2 σ"),
             )  # fmt: skip
             axes.add_collection(bars)
             axes.plot(
                 offset, error[:, k], linestyle="none", marker=MARKERS[k], markersize=4,
-                color=theme.scheme().series[k], label=say(word),
+                color=theme.scheme().series[k], label=gettext(component),
             )  # fmt: skip
         axes.axhline(0, color=theme.MUTED, linewidth=0.8)
         axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
         for text in axes.get_xticklabels():
             text.set_parse_math(False)
             text.set_fontsize(SMALL if len(items) < 20 else SMALL - 2)
-        axes.set_ylabel(units.signs(say(title), base, figures=False), fontsize=TEXT)
+        axes.set_ylabel(gettext(title, unit=units.local_sign(base)), fontsize=TEXT)
         _legend_above(axes)
 
 
 def directions(result: AdjustmentResult, figure: Figure) -> None:
-    """Roll, pitch and yaw parts of the three eigen directions."""
-    seen = result.observability
-    assert seen is not None
+    """Shares of roll, pitch and yaw in the three eigen directions."""
+    observability = result.observability
+    assert observability is not None
     axes = _axes(figure)
-    sigma = np.degrees(seen.eigenvalues**-0.5)
-    share = seen.directions**2
+    sigma = np.degrees(observability.eigenvalues**-0.5)
+    share = observability.directions**2
     left = np.zeros(3)
-    words = ("weakest", "middle", "strongest")
-    for k, angle in enumerate(ANGLES):
+    for k, title in enumerate(map(gettext, ANGLE_TITLES)):
         axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6,
-                  color=theme.scheme().series[k], alpha=0.85, label=say(angle))  # fmt: skip
+                  color=theme.scheme().series[k], alpha=0.85, label=title)  # fmt: skip
         for row in range(3):
             if share[k, row] > 0.12:
-                text = f"{say(angle)} {100 * share[k, row]:.0f} %"
+                text = gettext("{angle} {share:percent.0} %", angle=title, share=share[k, row])
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
                           va="center", fontsize=SMALL, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]
     names = [
-        _degrees(f"{word}\nσ {_figure(s, '.4f')}°") for word, s in zip(words, sigma, strict=True)
+        f"{gettext(name)}\nσ {units.local_amount(value, '°', '.4f')}"
+        for name, value in zip(DIRECTIONS, sigma, strict=True)
     ]
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
-    axes.set_xlabel(say("Share of each angle in the direction, %"), fontsize=TEXT)
+    axes.set_xlabel(gettext("Share of each angle in the direction, %"), fontsize=TEXT)
 
 
-def _figure(degrees: float, form: str) -> str:
-    return units.figure(degrees, "°", form)
-
-
-def _degrees(text: str) -> str:
-    """Said with the sign of the unit shown."""
-    return units.signs(say(text.replace("-", "\N{MINUS SIGN}")), "°")
-
-
-def short_name(name: str) -> str:
-    """``lever_x`` as an axis of a figure shows it."""
-    if name not in KINDS:
-        return name.capitalize()
-    return KINDS[name].title.replace("Scan-angle offset", "Scan angle")
+def short_title(name: str) -> str:
+    """An estimated value as an axis of a figure shows it, in the user's language."""
+    if name in KINDS:
+        return gettext(KINDS[name].short_title)
+    return gettext(ANGLE_TITLES[ANGLES.index(name)])
 
 
 def _axes(figure: Figure) -> Axes:

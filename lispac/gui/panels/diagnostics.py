@@ -1,4 +1,4 @@
-"""What is behind the angles: a page for each question one may ask of an adjustment."""
+"""Diagnostics of the adjustment: figures and tables, one page each."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
@@ -10,19 +10,19 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_pages import PAGES, Page, Sightings, Targets
+from lispac.language import N_, gettext
 from lispac.project import Project
 
-TITLE = "Diagnostics"
+TITLE = N_("Diagnostics")
 
 
 class DiagnosticsPanel(QWidget):
-    """A list of pages; only the page that is seen is filled."""
+    """A list of pages; only the visible page is filled."""
 
     followed = Signal(str, str)
-    """Target and line (or "") whose points the user wants to see."""
+    """Target and line (or "") whose points are to be shown."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -31,22 +31,23 @@ class DiagnosticsPanel(QWidget):
         self._stale: set[Page] = set()
         self.list = QListWidget()
         self.list.setObjectName("diagnostics_list")
-        self.list.setAccessibleName(say("Pages of the diagnostics"))
+        self.list.setAccessibleName(gettext("Pages of the diagnostics"))
         self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
         self._stack = QStackedWidget()
         self.pages: dict[str, Page] = {}
         for kind in PAGES:
             page = kind()
             self.pages[page.title] = page
-            self.list.addItem(say(page.title))
+            self.list.addItem(gettext(page.title))
             self._stack.addWidget(page)
             table = getattr(page, "table", None)
             if table is not None:
                 table.followed.connect(self.followed)
         self.list.setFixedWidth(max(128, self.list.sizeHintForColumn(0) + 8))
         self._waiting = widgets.label(
-            "Estimating again; these are the figures from before the change.", "hint", wrap=True
-        )
+            gettext("Estimation in progress. These values are from before the change."), "hint",
+            wrap=True,
+        )  # fmt: skip
         self._waiting.hide()
         right = QWidget()
         column = QVBoxLayout(right)
@@ -71,7 +72,7 @@ class DiagnosticsPanel(QWidget):
         return page
 
     def show_project(self, project: Project | None, *, waiting: bool = False) -> None:
-        """Show another result; while the next one is ``waiting`` the old one stays, greyed."""
+        """Show a result; while the next one is ``waiting`` the previous one stays, greyed."""
         had_result = self._project is not None and self._project.result is not None
         greyed = waiting and had_result
         self._waiting.setVisible(greyed)
@@ -83,7 +84,7 @@ class DiagnosticsPanel(QWidget):
         self._fill()
 
     def select(self, target: str, line: str) -> None:
-        """Select the rows about a sighting."""
+        """Select the rows of a sighting."""
         for page in (Sightings, Targets):
             self.pages[page.title].select(target, line)
 
@@ -92,7 +93,7 @@ class DiagnosticsPanel(QWidget):
         self.list.setCurrentRow(list(self.pages).index(title))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Fill the page that is seen now."""
+        """Fill the page that is now visible."""
         super().showEvent(event)
         self._fill()
 

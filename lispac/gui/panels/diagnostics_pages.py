@@ -1,9 +1,8 @@
-"""The pages of the diagnostics; each is filled when it is shown."""
+"""The pages of the diagnostics; each is filled when it becomes visible."""
 
 from collections.abc import Callable, Sequence
 from html import escape
 
-import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QFrame,
@@ -16,25 +15,27 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.gui import theme, units
+from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
+from lispac.language import N_, gettext
 from lispac.project import Project
 
-NOTHING = "Nothing estimated yet: press Estimate in step 3, and {what} here."
-THESIS = (
-    "Not available with uncorrelated POS errors. Choose “Correlated in time” in step 3 and "
-    "estimate."
+NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
+NOT_WITH_CLASSICAL = N_(
+    "Not available with uncorrelated POS errors. Choose “Correlated in time” in step 3 and press "
+    "Estimate."
 )
 
 
 class Page(QWidget):
-    """Content, or a sentence that says what to do for it."""
+    """A page with its content, or with a text that says how to get it."""
 
     title = ""
-    what = ""
+    without_result = ""
+    """English text that is shown before an estimation."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -49,35 +50,35 @@ class Page(QWidget):
 
     @property
     def advice(self) -> str:
-        """What the page says where it has nothing to show; empty where it has."""
+        """The text that is shown instead of the content; empty where there is content."""
         return self._empty.text() if self._stack.currentIndex() == 0 else ""
 
     def show_project(self, project: Project | None) -> None:
-        """Show the result, or say what is lacking."""
+        """Show the result, or why there is nothing to show."""
         result = None if project is None else project.result
         if project is None or result is None:
-            self._say(NOTHING.format(what=self.what))
+            self._show_advice(gettext(self.without_result))
             return
         lacking = self.lacks(project, result)
         if lacking:
-            self._say(lacking)
+            self._show_advice(gettext(lacking))
             return
         self.fill(project, result)
         self._stack.setCurrentIndex(1)
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """What to do where the result has nothing for this page."""
+        """English text on what to do where the result has nothing for this page."""
         return ""
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
-        """Show the result; every page has its own way (Qt's metaclass admits no abstract one)."""
+        """Show the result; each page overrides this (Qt's metaclass allows no abstract method)."""
         raise TypeError(f"{type(self).__name__} does not say how it shows a result")
 
     def select(self, target: str, line: str) -> None:
-        """Select the row about a sighting or target."""
+        """Select the row of a sighting or target."""
 
-    def _say(self, words: str) -> None:
-        self._empty.setText(say(words))
+    def _show_advice(self, text: str) -> None:
+        self._empty.setText(text)
         self._stack.setCurrentIndex(0)
 
 
@@ -106,46 +107,59 @@ class FigurePage(Page):
         if self.canvas is None:
             self.canvas = Chart(200, 120, theme.PAPER)
             self.canvas.setObjectName(f"{self.objectName()}_canvas")
-            self.canvas.setAccessibleName(say(self.title))
+            self.canvas.setAccessibleName(gettext(self.title))
             self._row.addWidget(self.canvas, 1)
         getattr(diagnostic_figures, self.draws)(result, self.canvas.figure)
         self.canvas.draw_idle()
 
 
 class Convergence(FigurePage):
-    """How each angle came to its last value."""
+    """Convergence of each angle."""
 
-    title, draws = "Convergence", "convergence"
-    what = "the way of each angle to its last value appears"
+    title, draws = N_("Convergence"), "convergence"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see the convergence of each angle."
+    )
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether there was but one iteration."""
-        return "" if len(result.path) > 1 else "The adjustment took one iteration: nothing to plot."
+        """Whether there was only one iteration."""
+        if len(result.path) > 1:
+            return ""
+        return N_("The adjustment took one iteration. There is nothing to plot.")
 
 
 class Correlations(FigurePage):
     """Correlations between all estimated values."""
 
-    title, draws = "Correlations", "correlations"
-    what = "the correlations between all estimated values appear"
+    title, draws = N_("Correlations"), "correlations"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see the correlations between all "
+        "estimated values."
+    )
 
 
 class PosErrors(FigurePage):
     """The estimated POS error of each sighting."""
 
-    title, draws = "POS error", "pos_errors"
-    what = "the estimated POS error of each sighting appears, against its prior sigma,"
+    title, draws = N_("POS error"), "pos_errors"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see the estimated POS error of each "
+        "sighting with its prior standard deviation."
+    )
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether the mode or the estimate has no tests of sightings."""
+        """Whether the model or the result has no tests of sightings."""
         return _no_reliability(result)
 
 
 class Observability(FigurePage):
-    """How well lines and targets see the angles."""
+    """How well lines and targets determine the angles."""
 
-    title, draws = "Observability", "directions"
-    what = "how well lines and targets see the angles appears"
+    title, draws = N_("Observability"), "directions"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see how well lines and targets "
+        "determine the angles."
+    )
 
     def __init__(self) -> None:
         super().__init__()
@@ -156,21 +170,24 @@ class Observability(FigurePage):
         self._row.addWidget(_scrolled(self.words), 1)
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether it was not worked out."""
-        return "" if result.observability else "Not worked out: press Estimate for it."
+        """Whether it was not computed."""
+        return "" if result.observability else NOT_COMPUTED
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
-        """Say it in words, and draw the directions."""
-        seen = result.observability
-        assert seen is not None
-        sigma = np.degrees(seen.eigenvalues**-0.5)
+        """Describe the directions, and draw them."""
+        observability = result.observability
+        assert observability is not None
+        sigma = observability.eigenvalues**-0.5
         paragraphs = [
-            *seen.sentences,
-            f"Condition number {seen.condition:.1f}: the strongest direction is known "
-            f"{sigma[0] / sigma[2]:.1f} times as well as the weakest.",
-        ]
+            *map(say, observability.sentences),
+            gettext(
+                "Condition number {condition:x.1}: the σ of the weakest direction is {ratio:x.1} "
+                "times that of the strongest.",
+                condition=observability.condition, ratio=sigma[0] / sigma[2],
+            ),
+        ]  # fmt: skip
         self.words.setText(
-            "".join(f"<p style='margin:0 0 6px 0'>{escape(say(p))}</p>" for p in paragraphs)
+            "".join(f"<p style='margin:0 0 6px 0'>{escape(each)}</p>" for each in paragraphs)
         )
         self.draw(result)
 
@@ -179,12 +196,12 @@ class TablePage(Page):
     """One table."""
 
     name = ""
-    columns: Sequence[Column] = ()
+    columns: Callable[[], Sequence[Column]]
     content_of: Callable[[AdjustmentResult], list[Row]]
 
     def __init__(self) -> None:
         super().__init__()
-        self.table = DiagnosticsTable(self.name, self.title, self.columns)
+        self.table = DiagnosticsTable(self.name, gettext(self.title), type(self).columns())
         layout = QVBoxLayout(self.content)
         layout.setContentsMargins(4, 4, 4, 4)
         layout.addWidget(self.table)
@@ -194,53 +211,67 @@ class TablePage(Page):
         self.table.show_rows(type(self).content_of(result))
 
     def select(self, target: str, line: str) -> None:
-        """Select the row about a sighting."""
+        """Select the row of a sighting."""
         self.table.select(target, line)
 
 
 class Sightings(TablePage):
     """Residuals and tests of every sighting."""
 
-    title, name, columns = "Sightings", "diagnostics_sightings_table", rows.SIGHTINGS
+    title, name = N_("Sightings"), "diagnostics_sightings_table"
+    columns = staticmethod(rows.sighting_columns)
     content_of = staticmethod(rows.sighting_rows)
-    what = "the residuals and tests of every sighting appear"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see the residuals and tests of each "
+        "sighting."
+    )
 
 
 class Targets(TablePage):
     """Residuals of every target."""
 
-    title, name, columns = "Targets", "diagnostics_targets_table", rows.TARGETS
+    title, name = N_("Targets"), "diagnostics_targets_table"
+    columns = staticmethod(rows.target_columns)
     content_of = staticmethod(rows.target_rows)
-    what = "the residuals of every target appear"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see the residuals of each target."
+    )
 
     def select(self, target: str, line: str) -> None:
-        """Select the row about a target."""
+        """Select the row of a target."""
         self.table.select(target, "")
 
 
 class Parameters(TablePage):
     """Every estimated value with its prior and its significance."""
 
-    title, name, columns = "Parameters", "diagnostics_parameters_table", rows.PARAMETERS
+    title, name = N_("Parameters"), "diagnostics_parameters_table"
+    columns = staticmethod(rows.parameter_columns)
     content_of = staticmethod(rows.parameter_rows)
-    what = "every estimated value appears with its prior and its significance"
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see each estimated value with its "
+        "prior and its significance."
+    )
 
 
 class Checks(Page):
-    """What parts of the data say by themselves."""
+    """Results from parts of the data."""
 
-    title = "Cross-checks"
-    what = "what parts of the data say by themselves appears"
+    title = N_("Cross-checks")
+    without_result = N_(
+        "Nothing estimated yet. Press Estimate in step 3 to see the results from parts of the data."
+    )
 
     def __init__(self) -> None:
         super().__init__()
-        self.table = DiagnosticsTable("diagnostics_checks_table", self.title, rows.CHECKS)
+        self.table = DiagnosticsTable(
+            "diagnostics_checks_table", gettext(self.title), rows.check_columns()
+        )
         self.spread = widgets.label("", name="cross_check_spread", rich=True)
         self.spread.setToolTip(
-            say(
-                "The formal sigma, and the spread of the answers when one line, or one "
-                "target, at a "
-                "time is left out; it needs three parts at least that each give an answer"
+            gettext(
+                "Formal σ, and spread of the results with one line or one target omitted at a "
+                "time. The spread needs at least three results."
             )
         )
         self.spread.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -252,21 +283,19 @@ class Checks(Page):
         layout.addWidget(self.spread)
 
     def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """What to do where nothing was cross-checked."""
+        """Whether there are no cross-checks."""
         if project.cross_checks is not None:
             return ""
-        return (
-            "Not cross-checked. Tick “Cross-check” in step 3 and press Estimate; after that it "
-            "follows each tick in the table by itself, a moment after the angles."
+        return N_(
+            "Not cross-checked. Tick “Cross-check with parts of the data” in step 3 and press "
+            "Estimate. The cross-checks then follow each change of the sightings."
         )
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
-        """Fill the table, and say the spread."""
+        """Fill the table, and show the spread."""
         assert project.cross_checks is not None
         self.table.show_rows(rows.check_rows(project.cross_checks))
-        self.spread.setText(
-            units.signs(say(rows.spread_words(project.cross_checks)), "°", figures=False)
-        )
+        self.spread.setText(rows.spread_words(project.cross_checks))
 
 
 PAGES: tuple[type[Page], ...] = (
@@ -276,8 +305,8 @@ PAGES: tuple[type[Page], ...] = (
 
 def _no_reliability(result: AdjustmentResult) -> str:
     if not result.model.correlated:
-        return THESIS
-    return "" if result.reliability else "Not worked out: press Estimate for it."
+        return NOT_WITH_CLASSICAL
+    return "" if result.reliability else NOT_COMPUTED
 
 
 def _scrolled(widget: QWidget) -> QScrollArea:

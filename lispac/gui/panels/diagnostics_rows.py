@@ -1,12 +1,14 @@
-"""What the tables of the diagnostics hold."""
+"""Columns and rows of the tables of the diagnostics."""
 
 from collections.abc import Sequence
 
 import numpy as np
+from PySide6.QtCore import QLocale
 
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.doubts_of_sightings import MUCH_NOISE
 from lispac.adjustment.parameters import SIGNIFICANT, Estimate
+from lispac.adjustment.reliability import CRITICAL
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossChecks,
@@ -17,101 +19,171 @@ from lispac.adjustment.shown import (
     SPREAD_LINES,
     SPREAD_TARGETS,
     named_parts,
-    significance_words,
     standing,
 )
 from lispac.gui import units
+from lispac.gui.language import say
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
 from lispac.gui.units import Base
+from lispac.language import N_, gettext
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
-FOLLOW = "Double click, or Enter, goes to its points in the view"
+FOLLOW = N_("Double-click or press Enter to go to its points in the view")
+ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 
-SIGHTINGS = (
-    Column("Target", "Target", True),
-    Column("Line", "Line", True),
-    Column("Points", "Points that took part, after averaging or thinning"),
-    Column("Before (mm)", "RMS distance to the surface with the prior boresight, mm", base="mm"),
-    Column(
-        "After (mm)",
-        "RMS distance to the adjusted surface, mm; no POS error is taken off",
-        base="mm",
-    ),
-    Column(
-        "Shift (mm)",
-        "By how much the sighting as a whole lies off what all others say, mm",
-        base="mm",
-    ),
-    Column("w", "The shift over its standard deviation (Baarda's test)"),
-    Column("Detectable (mm)", "Smallest shift the test finds with 80 % power, mm", base="mm"),
-    Column(
-        "Effect (0.001°)",
-        "Largest change of an angle by a shift of that size that stays unfound, 0.001°",
-        base="m°",
-    ),
-    Column("Outliers", "Points whose own test is beyond 3.29"),
-    Column(
-        "Largest point w",
-        "Test value of the point farthest off, by its sigma, and its time in the line, s; of an "
-        "average of points, the mean of their times",
-    ),
-    Column("Redundancy", "Mean of the points' redundancy numbers, 0 (unchecked) to 1"),
-    Column(
-        "POS position (mm)",
-        "Estimated position error and its prior sigma, mm (3D length)",
-        base="mm",
-    ),
-    Column(
-        "POS attitude (0.001°)",
-        "Estimated attitude error and its prior sigma, 0.001° (3D length)",
-        base="m°",
-    ),
-    Column("Remark", "What to look at", True),
-)
-TARGETS = (
-    Column("Target", "Target", True),
-    Column("Shape", "Plane or sphere", True),
-    Column("Lines", "Lines it was seen on"),
-    Column("Points", "Points that took part, after averaging or thinning"),
-    Column(
-        "Before (mm)", "RMS distance to its best surface with the prior boresight, mm", base="mm"
-    ),
-    Column("After (mm)", "RMS distance to the adjusted surface, mm", base="mm"),
-    Column("Noise factor", "Noise found in the residuals over the stated one, at least 1"),
-    Column("Largest w", "Largest test value of its sightings"),
-    Column("Outliers", "Points whose own test is beyond 3.29"),
-    Column("Remark", "What to look at", True),
-)
-DIFFERENCE = "Difference from the answer of all points, or between the halves"
-CHECKS = (
-    Column("Part of the data", "What was left out, or which halves were compared", True),
-    Column("Roll\ndifference (deg)", f"{DIFFERENCE}, degrees", base="°"),
-    Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Pitch\ndifference (deg)", f"{DIFFERENCE}, degrees", base="°"),
-    Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Yaw\ndifference (deg)", f"{DIFFERENCE}, degrees", base="°"),
-    Column("in σ", "The difference over the standard deviation it should have"),
-    Column("Verdict", "Whether it agrees, or why there is no answer", True),
-    Column("Reason", "Why there is no answer, or what disagrees", True),
-)
-PARAMETERS = (
-    Column("Parameter", "Value of the mounting", True),
-    Column("Value", "As estimated"),
-    Column("± 1 σ", "Standard deviation of the value"),
-    Column("Prior", "What went in"),
-    Column("Prior σ", "How well that was said to be known"),
-    Column(
-        "in σ",
-        "Change from the prior over its standard deviation; significant beyond "
-        f"{SIGNIFICANT}, which chance exceeds one time in twenty",
-    ),
-    Column("Remark", "Whether it earns its place, or why there is no number", True),
-)
+
+def sighting_columns() -> tuple[Column, ...]:
+    """Columns of the table of sightings, in the user's language."""
+    mm, mdeg = units.local_sign("mm"), units.local_sign("m°")
+    return (
+        Column(gettext("Target"), gettext("Target"), True),
+        Column(gettext("Line"), gettext("Line"), True),
+        Column(gettext("Points"), gettext("Points used, after averaging or thinning")),
+        Column(
+            gettext("Before ({unit})", unit=mm),
+            gettext("RMS distance to the surface with the prior boresight"),
+            base="mm",
+        ),
+        Column(
+            gettext("After ({unit})", unit=mm),
+            gettext("RMS distance to the adjusted surface; POS errors not removed"),
+            base="mm",
+        ),
+        Column(
+            gettext("Shift ({unit})", unit=mm),
+            gettext("Offset of the sighting from the surface that all other sightings give"),
+            base="mm",
+        ),
+        Column("w", gettext("Shift divided by its standard deviation (Baarda's test)")),
+        Column(
+            gettext("Detectable ({unit})", unit=mm),
+            gettext("Smallest shift that the test detects with a power of 80 %"),
+            base="mm",
+        ),
+        Column(
+            gettext("Effect ({unit})", unit=mdeg),
+            gettext("Largest change of an angle due to an undetected shift of that size"),
+            base="m°",
+        ),
+        Column(
+            gettext("Outliers"),
+            gettext("Points with a test value beyond {limit:x.2}", limit=CRITICAL),
+        ),
+        Column(
+            gettext("Largest point w"),
+            gettext(
+                "Largest test value of a point, and its time in the line. For averaged points: "
+                "the mean of their times."
+            ),
+        ),
+        Column(
+            gettext("Redundancy"),
+            gettext("Mean redundancy number of the points, from 0 (not checked) to 1"),
+        ),
+        Column(
+            gettext("POS position ({unit})", unit=mm),
+            gettext("Estimated position error and its prior σ (3D lengths)"),
+            base="mm",
+        ),
+        Column(
+            gettext("POS attitude ({unit})", unit=mdeg),
+            gettext("Estimated attitude error and its prior σ (3D lengths)"),
+            base="m°",
+        ),
+        Column(gettext("Remark"), gettext("What to check"), True),
+    )
+
+
+def target_columns() -> tuple[Column, ...]:
+    """Columns of the table of targets, in the user's language."""
+    mm = units.local_sign("mm")
+    return (
+        Column(gettext("Target"), gettext("Target"), True),
+        Column(gettext("Shape"), gettext("Plane or sphere"), True),
+        Column(gettext("Lines"), gettext("Lines in which the target was seen")),
+        Column(gettext("Points"), gettext("Points used, after averaging or thinning")),
+        Column(
+            gettext("Before ({unit})", unit=mm),
+            gettext("RMS distance to the best-fitting surface with the prior boresight"),
+            base="mm",
+        ),
+        Column(
+            gettext("After ({unit})", unit=mm),
+            gettext("RMS distance to the adjusted surface"),
+            base="mm",
+        ),
+        Column(
+            gettext("Noise factor"),
+            gettext("Noise of the residuals divided by the given noise, at least 1"),
+        ),
+        Column(gettext("Largest w"), gettext("Largest test value of its sightings")),
+        Column(
+            gettext("Outliers"),
+            gettext("Points with a test value beyond {limit:x.2}", limit=CRITICAL),
+        ),
+        Column(gettext("Remark"), gettext("What to check"), True),
+    )
+
+
+def check_columns() -> tuple[Column, ...]:
+    """Columns of the table of cross-checks, in the user's language."""
+    degrees = units.local_sign("°")
+    columns = [
+        Column(
+            gettext("Part of the data"),
+            gettext("Part that was omitted, or halves that were compared"),
+            True,
+        )
+    ]
+    for title in (
+        gettext("Roll\ndifference ({unit})", unit=degrees),
+        gettext("Pitch\ndifference ({unit})", unit=degrees),
+        gettext("Yaw\ndifference ({unit})", unit=degrees),
+    ):
+        columns += [
+            Column(
+                title,
+                gettext("Difference from the result with all points, or between the halves"),
+                base="°",
+            ),
+            Column(gettext("in σ"), gettext("Difference divided by its standard deviation")),
+        ]
+    return (
+        *columns,
+        Column(
+            gettext("Verdict"), gettext("Whether the result agrees, or why there is none"), True
+        ),
+        Column(gettext("Reason"), gettext("Why there is no result, or what disagrees"), True),
+    )
+
+
+def parameter_columns() -> tuple[Column, ...]:
+    """Columns of the table of estimated values, in the user's language."""
+    return (
+        Column(gettext("Parameter"), gettext("Estimated parameter of the mounting"), True),
+        Column(gettext("Value"), gettext("Estimated value")),
+        Column(gettext("± 1 σ"), gettext("Standard deviation of the estimated value")),
+        Column(gettext("Prior"), gettext("Value before the adjustment")),
+        Column(gettext("Prior σ"), gettext("Standard deviation of the prior")),
+        Column(
+            gettext("in σ"),
+            gettext(
+                "Change from the prior divided by its standard deviation. Beyond {limit:x.2} it is "
+                "significant at the 5 % level.",
+                limit=SIGNIFICANT,
+            ),
+        ),
+        Column(
+            gettext("Remark"),
+            gettext("Whether the parameter is significant, or why there is no value"),
+            True,
+        ),
+    )
 
 
 def sighting_rows(result: AdjustmentResult) -> list[Row]:
-    """One row for each sighting that took part."""
+    """One row for each sighting that was used."""
     tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
     critical = critical_w(result) or np.inf
     return [
@@ -128,16 +200,17 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         number(residual.rms_before, ".1f", MM),
         number(residual.rms_after, ".1f", MM),
     ]
-    names = [Cell(sighting.target), Cell(sighting.line)]
+    names = [Cell(sighting.target, named=True), Cell(sighting.line, named=True)]
     if test is None:
-        return Row([*names, *fit, *[number(None, "")] * 9, Cell("no test")], key, tip=FOLLOW)
-    remark, odd = "", standing(test, critical) == "disagrees"
+        cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("no test"))]
+        return Row(cells, key, tip=gettext(FOLLOW))
+    remark, disagrees = "", standing(test, critical) == "disagrees"
     if test.released:
-        remark = "released: disagrees"
-    elif odd:
-        remark = f"w beyond {critical:.2f}"
+        remark = gettext("rejected: disagrees")
+    elif disagrees:
+        remark = gettext("w beyond {limit:x.2}", limit=critical)
     elif test.strays > 0.05 * residual.points:
-        remark = "many outliers"
+        remark = gettext("many outliers")
     tests = (
         [number(None, "")] * 3
         if test.released
@@ -159,18 +232,22 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
         Cell(remark),
     ]
-    return Row(cells, key, marked=test.released or odd, tip=FOLLOW)
+    return Row(cells, key, marked=test.released or disagrees, tip=gettext(FOLLOW))
 
 
 def _worst_point(test: SightingReliability) -> Cell:
-    when = "" if test.largest_at is None else f" at {test.largest_at:.3f} s"
-    return Cell(f"{test.largest_w:.1f}{when}", test.largest_w)
+    if test.largest_at is None:
+        return number(test.largest_w, ".1f")
+    # Without separators of thousands, as in the file
+    time = f"{test.largest_at:.3f}".replace(".", QLocale().decimalPoint())
+    text = gettext("{w:x.1} at {time} s", w=test.largest_w, time=time)
+    return Cell(text, test.largest_w)
 
 
 def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float, base: Base) -> Cell:
     size, prior = float(np.linalg.norm(error)), float(np.linalg.norm(sigma))
-    found, known = (units.figure(each * scale, base, ".1f") for each in (size, prior))
-    return Cell(f"{found} (σ {known})", size)
+    found, expected = (units.local_figure(each * scale, base, ".1f") for each in (size, prior))
+    return Cell(gettext("{error} (σ {sigma})", error=found, sigma=expected), size)
 
 
 def target_rows(result: AdjustmentResult) -> list[Row]:
@@ -178,26 +255,26 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
     rows = []
     for target in result.targets:
         tests = [r for r in result.reliability if r.sighting.target == target.target]
-        released = [r.sighting.line for r in tests if r.released]
+        rejected = [r.sighting.line for r in tests if r.released]
         lines = sum(s.sighting.target == target.target for s in result.sightings)
         rough = target.noise > MUCH_NOISE
-        remark = "rougher than stated" if rough else ""
-        if released:
-            remark = f"released on {', '.join(released)}"
-        held = [abs(r.w) for r in tests if not r.released]
+        remark = gettext("rougher than given") if rough else ""
+        if rejected:
+            remark = gettext("rejected on {lines:names}", lines=rejected)
+        test_values = [abs(r.w) for r in tests if not r.released]
         cells = [
-            Cell(target.target),
-            Cell("sphere" if target.sphere else "plane"),
+            Cell(target.target, named=True),
+            Cell(gettext("sphere") if target.sphere else gettext("plane")),
             number(lines, ",.0f"),
             number(target.points, ",.0f"),
             number(target.rms_before, ".1f", MM),
             number(target.rms_after, ".1f", MM),
             number(target.noise, ".2f") if result.model.correlated else number(None, ""),
-            number(max(held, default=None), ".2f"),
+            number(max(test_values, default=None), ".2f"),
             number(sum(r.strays for r in tests), ",.0f") if tests else number(None, ""),
             Cell(remark),
         ]
-        rows.append(Row(cells, (target.target, ""), marked=bool(released), tip=FOLLOW))
+        rows.append(Row(cells, (target.target, ""), marked=bool(rejected), tip=gettext(FOLLOW)))
     return rows
 
 
@@ -207,79 +284,81 @@ def check_rows(checks: CrossChecks) -> list[Row]:
     for name, check in named_parts(checks):
         title = Cell(name)
         if check.difference is None or check.significance is None:
-            cells = [title, *[number(None, "")] * 6, Cell("no answer"), Cell(check.reason)]
+            cells = [title, *[number(None, "")] * 6, Cell(gettext("no result")), Cell(check.reason)]
             rows.append(Row(cells, tip=check.reason))
             continue
         cells = [title]
         for off, sigmas in zip(check.difference, check.significance, strict=True):
             cells += [number(float(np.degrees(off)), "+.4f"), number(float(sigmas), "+.1f")]
-        tip = "An angle differs by more than chance explains" if check.disagrees else ""
-        cells += [Cell("disagrees" if check.disagrees else "agrees"), Cell(tip)]
+        tip = gettext("An angle differs significantly") if check.disagrees else ""
+        verdict = gettext("disagrees") if check.disagrees else gettext("agrees")
+        cells += [Cell(verdict), Cell(tip)]
         rows.append(Row(cells, marked=check.disagrees, tip=tip))
     return rows
 
 
 def spread_words(checks: CrossChecks) -> str:
-    """The jackknife's spread beside the formal sigmas, as rich text."""
+    """The spread of the jackknife beside the formal sigmas, as rich text."""
 
     def row(title: str, values: Sequence[float] | None) -> str:
         numbers = (
             ["–"] * 3
             if values is None
-            else [units.figure(float(np.degrees(v)), "°", ".4f") for v in values]
+            else [units.local_figure(float(np.degrees(v)), "°", ".4f") for v in values]
         )
         cells = "".join(f"<td align='right' style='padding-left:10px'>{n}</td>" for n in numbers)
         return f"<tr><td>{title}</td>{cells}</tr>"
 
+    title = gettext("1 σ, {unit}", unit=units.local_sign("°"))
     return (
-        "<table><tr><td><b>1 σ, degrees</b></td>"
+        f"<table><tr><td><b>{title}</b></td>"
         + "".join(
-            f"<td align='right' style='padding-left:10px'><b>{a}</b></td>"
-            for a in ("Roll", "Pitch", "Yaw")
+            f"<td align='right' style='padding-left:10px'><b>{gettext(angle)}</b></td>"
+            for angle in ANGLE_TITLES
         )
         + "</tr>"
-        + row("Formal sigma", checks.sigma)
-        + row(SPREAD_LINES.replace(", ", ",<br>"), checks.spread_lines)
-        + row(SPREAD_TARGETS.replace(", ", ",<br>"), checks.spread_targets)
+        + row(gettext("Formal σ"), checks.sigma)
+        + row(say(SPREAD_LINES.replace(", ", ",<br>")), checks.spread_lines)
+        + row(say(SPREAD_TARGETS.replace(", ", ",<br>")), checks.spread_targets)
         + "</table>"
     )
 
 
 def parameter_rows(result: AdjustmentResult) -> list[Row]:
-    """The angles, then every value that was switched on."""
+    """The angles, then every parameter that was estimated besides."""
     rows = []
-    for k, angle in enumerate(("Roll", "Pitch", "Yaw")):
+    for k, title in enumerate(ANGLE_TITLES):
         value, prior = result.angles[k], result.prior_angles[k]
         rows.append(
             Row(
                 [
-                    Cell(angle),
+                    Cell(gettext(title)),
                     _angle(float(value), "+.4f"),
                     _angle(float(result.sigma[k]), ".4f"),
                     _angle(float(prior), "+.4f"),
                     number(None, ""),
                     number(float((value - prior) / result.sigma[k]), "+.1f"),
-                    Cell("always estimated"),
+                    Cell(gettext("always estimated")),
                 ]
             )
         )
     for estimate in result.parameters:
         kind = KINDS[estimate.name]
 
-        def shown(value: float | None, kind=kind, signed: bool = True) -> Cell:
+        def cell(value: float | None, kind=kind, signed: bool = True) -> Cell:
             if value is None:
                 return Cell("–")
-            return Cell(kind.text(value, signed=signed), value, bases=kind.bases)
+            return Cell(kind.amount(value, signed=signed), value, named=True)
 
-        remark = estimate.reason or _earns(estimate)
+        remark = estimate.reason or _significance_text(estimate)
         cells = [
-            Cell(kind.title),
-            shown(estimate.value),
-            shown(estimate.sigma, signed=False),
-            shown(estimate.prior),
-            Cell("not known")
+            Cell(gettext(kind.title)),
+            cell(estimate.value),
+            cell(estimate.sigma, signed=False),
+            cell(estimate.prior),
+            Cell(gettext("unknown"))
             if estimate.prior_sigma is None
-            else shown(estimate.prior_sigma, signed=False),
+            else cell(estimate.prior_sigma, signed=False),
             number(estimate.significance, "+.1f"),
             Cell(remark),
         ]
@@ -288,11 +367,17 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
 
 
 def _angle(value: float, form: str) -> Cell:
-    return Cell(f"{units.figure(np.degrees(value), '°', form)} °", value, bases=("°",))
+    return Cell(units.local_amount(float(np.degrees(value)), "°", form), value, named=True)
 
 
-def _earns(estimate: Estimate) -> str:
-    words = significance_words(estimate)
+def _significance_text(estimate: Estimate) -> str:
+    """Whether a parameter is significant; empty where it has no value."""
+    if estimate.value is None:
+        return ""
     if estimate.significant is None:
-        return words
-    return f"{words}: {'keep it' if estimate.significant else 'can be left out'}"
+        return gettext(
+            "not tested: with uncorrelated POS errors the standard deviations are too small"
+        )
+    if estimate.significant:
+        return gettext("significant: keep it")
+    return gettext("not significant: can be omitted")

@@ -1,4 +1,4 @@
-"""A table of numbers: sorted by value, its rows lead to what they are about."""
+"""A table of numbers, sorted by value; its rows lead to targets and lines."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,6 +11,7 @@ from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
+from lispac.language import gettext, is_translated
 
 Key = tuple[str, str]
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -19,30 +20,30 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 @dataclass(frozen=True)
 class Column:
-    """A column's heading, and what it means."""
+    """A column's heading and what it means, in English or in the user's language."""
 
     title: str
     tip: str
     words: bool = False
-    """Whether it holds words rather than numbers."""
+    """Whether it holds texts rather than numbers."""
     base: Base | None = None
-    """Unit of its numbers, where the user may choose another."""
+    """Unit of its numbers, where the user can choose another."""
 
 
 @dataclass(frozen=True)
 class Cell:
-    """What a cell shows, and by what it is sorted."""
+    """What a cell shows and is sorted by; the text as in `Column`."""
 
     text: str
     value: float | None = None
     named: bool = False
-    """Whether it is a name, which no language changes."""
+    """Whether it is a name, which is the same in every language."""
     figure: tuple[str, float] | None = None
-    """Form, and units of the column's base to one of the value, of a mere number."""
+    """Form of a number, and units of the column's base to one of its value."""
     bases: tuple[Base, ...] = ()
-    """Units whose signs stand in it."""
+    """Units whose signs an English text has."""
     shown: str = ""
-    """What is seen in place of the text, by which it is sorted."""
+    """Shown instead of the text, which remains what the cell is sorted by."""
 
 
 @dataclass(frozen=True)
@@ -51,8 +52,8 @@ class Row:
 
     Attributes
     ----------
-    key : (target, line) it is about; line "" for the whole target, None where it leads nowhere
-    marked : whether it is to be looked at
+    key : its target and line; line "" for the whole target, None where it leads nowhere
+    marked : whether it is highlighted for a check
     """
 
     cells: Sequence[Cell]
@@ -60,18 +61,23 @@ class Row:
     marked: bool = False
     tip: str = ""
     bases: tuple[Base, ...] = ()
-    """Units of the figures in its tip."""
+    """Units whose signs an English tip has."""
 
 
 class _Item(QTableWidgetItem):
-    """Sorted by its value, unknown ones last; words by themselves."""
+    """Sorted by its value, unknown ones last; texts alphabetically."""
 
     def __init__(self, cell: Cell, base: Base | None) -> None:
-        text = cell.text
-        if base is not None and cell.figure is not None and cell.value is not None:
+        if cell.figure is not None and cell.value is not None:
             form, scale = cell.figure
-            text = units.figure(cell.value * scale, base, form)
-        text = text if cell.named else cell.shown or units.signs(say(text), *cell.bases)
+            value = cell.value * scale
+            text = units.localised(
+                f"{value:{form}}" if base is None else units.figure(value, base, form)
+            )
+        elif cell.named:
+            text = cell.text
+        else:
+            text = cell.shown or units.signs(_translated(cell.text), *cell.bases)
         super().__init__(text.replace("-", "−") if cell.value is not None else text)
         self.cell = cell
 
@@ -85,7 +91,7 @@ class _Item(QTableWidgetItem):
 
 
 class DiagnosticsTable(QTableWidget):
-    """Rows that can be sorted by any column; double click or Enter follows one."""
+    """Rows that can be sorted by any column; a double click or Enter follows one."""
 
     followed = Signal(str, str)
 
@@ -93,15 +99,16 @@ class DiagnosticsTable(QTableWidget):
         super().__init__(0, len(columns))
         self.setTabKeyNavigation(False)
         self.setObjectName(name)
-        self.setAccessibleName(say(title))
+        self.setAccessibleName(_translated(title))
         self._columns = tuple(columns)
         self._rows: list[Row] = []
         # Units in a second line: the columns stay narrow enough to be seen together.
         self.setHorizontalHeaderLabels([_title(column).replace(" (", "\n(") for column in columns])
+        sorting = gettext("Click to sort")
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
-            tip = say(f"{column.tip}\nClick to sort")
-            head.setToolTip(_in_units(tip, column))
+            tip = _in_units(_translated(column.tip), column)
+            head.setToolTip(f"{tip}\n{sorting}")
             head.setTextAlignment(_LEFT if column.words else _RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
@@ -132,7 +139,7 @@ class DiagnosticsTable(QTableWidget):
         self.setRowCount(len(rows))
         font = theme.tabular(self.font())
         for number, row in enumerate(rows):
-            tip = units.signs(say(row.tip), *row.bases) if row.tip else ""
+            tip = units.signs(_translated(row.tip), *row.bases) if row.tip else ""
             for column, cell in enumerate(row.cells):
                 item = _Item(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
@@ -151,7 +158,7 @@ class DiagnosticsTable(QTableWidget):
             self.select(*selected)
 
     def as_text(self) -> str:
-        """What it shows, tabs between the columns: a spreadsheet takes them apart."""
+        """The table as text, with tabs between the columns for a spreadsheet."""
         heads = [_title(column) for column in self._columns]
         rows = [
             [_plain(self.item(row, column).text()) for column in range(len(heads))]
@@ -160,12 +167,12 @@ class DiagnosticsTable(QTableWidget):
         return "".join("\t".join(row) + "\n" for row in [heads, *rows])
 
     def key(self, row: int) -> Key | None:
-        """What a row is about."""
+        """Target and line of a row."""
         item = self.item(row, 0)
         return None if item is None else self._rows[item.data(Qt.ItemDataRole.UserRole)].key
 
     def select(self, target: str, line: str) -> None:
-        """Select the row that is about these, without telling anyone."""
+        """Select the row of a target and line without emitting a signal."""
         for row in range(self.rowCount()):
             if self.key(row) == (target, line):
                 self.blockSignals(True)
@@ -174,7 +181,7 @@ class DiagnosticsTable(QTableWidget):
                 return
 
     def _show_arrow(self, section: int) -> None:
-        """Keep room for the arrow only where a column is sorted by; every heading gets it."""
+        """Reserve space for the arrow only while a column is sorted: every heading gets it."""
         self.horizontalHeader().setSortIndicatorShown(section >= 0)
 
     def _follow(self, row: int) -> None:
@@ -184,16 +191,21 @@ class DiagnosticsTable(QTableWidget):
 
 
 def _plain(text: str) -> str:
-    """As a spreadsheet in the user's language takes it: without signs between thousands."""
+    """A text that a spreadsheet in the user's language reads: no separators of thousands."""
     return text.replace("−", "-").replace("\N{NARROW NO-BREAK SPACE}", "")
 
 
 def _title(column: Column) -> str:
-    return _in_units(say(column.title), column)
+    return _in_units(_translated(column.title), column)
 
 
-def _in_units(said: str, column: Column) -> str:
-    return said if column.base is None else units.signs(said, column.base, figures=False)
+def _translated(text: str) -> str:
+    """A text that is English or translated already, in the user's language."""
+    return text if is_translated(text) else say(text)
+
+
+def _in_units(text: str, column: Column) -> str:
+    return text if column.base is None else units.signs(text, column.base, figures=False)
 
 
 def number(value: float | None, form: str, scale: float = 1.0) -> Cell:

@@ -1,8 +1,8 @@
-"""A picture drawn on white paper, as it is shown in a dark window: light is dark, hues stay.
+"""Pictures on white ground for a dark window: the lightness is inverted, hues stay.
 
-Figures that the report has too are drawn for paper. With x a colour's red, green and blue, 0 to 1,
-and L its luma, x + 1 - 2 L turns the lightness over (white is black then), and leaves the
-differences between the three as they are, which is hue. Black and white become the theme's.
+Figures of the report are drawn for paper. With x the red, green and blue of a colour, 0 to 1, and L
+its luma, x + 1 - 2 L inverts the lightness (white becomes black) and keeps the differences between
+the three, which are the hue. Black and white become the colours of the theme.
 """
 
 import numpy as np
@@ -26,7 +26,7 @@ def dimmed(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     luma = sum(colours[..., k].astype(np.int32) * share for k, share in enumerate(LUMA)) >> 8
     colours += (255 - 2 * luma).astype(np.int16)[..., None]
     np.clip(colours, 0, 255, out=colours)
-    made = pixels.copy()
+    result = pixels.copy()
     for k, (dark, light) in enumerate(zip(theme.rgb("paper"), theme.rgb("text"), strict=True)):
-        made[..., k] = np.linspace(dark, light, 256).round().astype(np.uint8)[colours[..., k]]
-    return made
+        result[..., k] = np.linspace(dark, light, 256).round().astype(np.uint8)[colours[..., k]]
+    return result

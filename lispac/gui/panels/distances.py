@@ -1,58 +1,77 @@
-"""Distances on a validation plane in words and as text: under the mouse, and to copy."""
+"""Distances on a validation plane: text under the mouse, and tables to copy."""
 
 import csv
 from io import StringIO
+from typing import Literal
 
 import numpy as np
 
 from lispac.foreign_values import as_cell
 from lispac.gui import units
+from lispac.language import gettext
 from lispac.validation.bins import BEYOND, merged
 from lispac.validation.profile import Profile
 from lispac.validation.results import PlaneComparison
 
 TAB = "\t"
-"""Between the columns: a spreadsheet takes them apart when pasted into."""
+"""Separates the columns, so that a spreadsheet splits them."""
+
+Against = Literal["height", "range"]
+"""What the distances of a profile are plotted against."""
 
 
 def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str:
-    """How many distances lie in a bar of the histogram, ``low`` to ``high`` metres.
-
-    Here and in `profile_words` figures are in the unit shown, signs in millimetres: `units.signs`
-    puts the others.
-    """
+    """How many distances a bar of the histogram holds, from ``low`` to ``high`` metres."""
     edges = comparison.bin_edges
     beyond = high >= float(edges[-1]) * (1.0 - 1e-9)
-    said = []
-    for state, counts in (("before", comparison.counts_before), ("after", comparison.counts_after)):
-        middles = 0.5 * (edges[:-1] + edges[1:])
-        inside = int(counts[(middles > low) & (middles < high)].sum())
-        up_to = 100.0 * int(counts[middles < high].sum()) / max(int(counts.sum()), 1)
-        said.append(f"{state} {inside:,} points ({up_to:.1f} % up to here)")
-    start, end = (units.figure(1000 * edge, "mm", ".4g") for edge in (low, high))
-    reach = f"{start} mm {BEYOND}" if beyond else f"{start}–{end} mm"
-    return f"{reach}: {', '.join(said)}"
+    middles = 0.5 * (edges[:-1] + edges[1:])
+    inside, up_to = [], []
+    for counts in (comparison.counts_before, comparison.counts_after):
+        inside.append(int(counts[(middles > low) & (middles < high)].sum()))
+        up_to.append(int(counts[middles < high].sum()) / max(int(counts.sum()), 1))
+    if beyond:
+        reach = gettext("{start} and beyond", start=units.local_amount(1000 * low, "mm", ".4g"))
+    else:
+        start = units.local_figure(1000 * low, "mm", ".4g")
+        reach = f"{start}–{units.local_amount(1000 * high, 'mm', '.4g')}"
+    return gettext(
+        "{reach}: before {before:n} points ({up_to_before:percent.1} % up to here), after "
+        "{after:n} points ({up_to_after:percent.1} % up to here)",
+        reach=reach, before=inside[0], up_to_before=up_to[0], after=inside[1],
+        up_to_after=up_to[1],
+    )  # fmt: skip
 
 
-def profile_words(profile: Profile, what: str, place: float) -> str:
+def profile_words(profile: Profile, against: Against, place: float) -> str:
     """The distances at a height or range, metres."""
     k = int(np.clip(np.searchsorted(profile.edges, place) - 1, 0, len(profile.n) - 1))
-    start, end = (units.figure(edge, "m", ".1f") for edge in profile.edges[k : k + 2])
-    reach = f"{what} {start}–{end} m"
+    low, high = profile.edges[k : k + 2]
+    start, end = units.local_figure(low, "m", ".1f"), units.local_amount(high, "m", ".1f")
+    if against == "height":
+        reach = gettext("Height {start}–{end}", start=start, end=end)
+    else:
+        reach = gettext("Range {start}–{end}", start=start, end=end)
+    count = int(profile.n[k])
     if not np.isfinite(profile.median_before[k]):
-        return f"{reach}: {profile.n[k]:,} distances, too few"
-    change = [
-        f"{word} {_mm(before[k])} → {_mm(after[k])} mm"
-        for word, before, after in (
-            ("median", profile.median_before, profile.median_after),
-            ("95 %", profile.p95_before, profile.p95_after),
-        )
-    ]
-    return f"{reach}: {', '.join(change)}, {profile.n[k]:,} distances"
+        return gettext("{reach}: too few distances ({count:n})", reach=reach, count=count)
+    return gettext(
+        "{reach}: median {median_before} → {median_after}, 95 % {p95_before} → {p95_after}, "
+        "{count:n} distances",
+        reach=reach,
+        median_before=_figure(profile.median_before[k]),
+        median_after=_amount(profile.median_after[k]),
+        p95_before=_figure(profile.p95_before[k]),
+        p95_after=_amount(profile.p95_after[k]),
+        count=count,
+    )
 
 
-def _mm(metres: float) -> str:
-    return units.figure(1000 * metres, "mm", ".1f")
+def _figure(metres: float) -> str:
+    return units.local_figure(1000 * metres, "mm", ".1f")
+
+
+def _amount(metres: float) -> str:
+    return units.local_amount(1000 * metres, "mm", ".1f")
 
 
 def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
@@ -61,7 +80,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
     Parameters
     ----------
     shown : float, metres
-        Width of what is seen, which takes no more than ``bars``.
+        Width of the visible part, which has at most ``bars`` bars.
     """
     edges, before = merged(comparison.bin_edges, comparison.counts_before, shown, bars)
     _, after = merged(comparison.bin_edges, comparison.counts_after, shown, bars)
@@ -76,7 +95,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
 def profiles_text(comparison: PlaneComparison) -> str:
     """The distances against height and range as a table, tabs between the columns."""
     rows = []
-    for what, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
+    for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
         if profile is None:
             continue
         values = (
@@ -85,7 +104,7 @@ def profiles_text(comparison: PlaneComparison) -> str:
         for k, n in enumerate(profile.n):
             low, high = profile.edges[k : k + 2]
             cells = ("" if np.isnan(each[k]) else f"{1000 * each[k]:.3f}" for each in values)
-            rows.append((what, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
+            rows.append((title, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
     heads = (
         "Against", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
         "95 % before (mm)", "95 % after (mm)",

@@ -10,6 +10,7 @@ from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
+from lispac.language import gettext
 from lispac.messages import error
 
 BASES: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
@@ -20,35 +21,41 @@ class OptionalNumber(QLineEdit):
 
     Parameters
     ----------
-    what : the field's name as a sentence about it begins
-    unit : shown where the field is empty, and in its tooltip
+    title : name of the field in the user's language, as all texts here
+    unit : sign of the base unit, in which the tooltip and errors name it
     scale : units to one metre, radian or second
     empty : what an empty field means, or what belongs into one that is ``needed``
+    description : what the number is, without its unit
     """
 
     def __init__(
         self,
         name: str,
-        what: str,
+        title: str,
         unit: str,
         scale: float,
         empty: str,
-        tip: str,
+        description: str,
         needed: bool = False,
     ) -> None:
         super().__init__()
         self.setObjectName(name)
         base = BASES.get(unit)
-        bases = () if base is None else (base,)
-        self.setAccessibleName(units.signs(f"{say(what)}, {say(unit)}", *bases))
-        said = say(f"{tip}, in {unit}" if needed else f"{tip}, in {unit}. Empty: {empty}.")
-        self.setToolTip(units.signs(said, *bases))
-        self.setPlaceholderText(units.signs(say(empty), *bases))
+        shown = units.unit(base) if units.differs(base) else units.Unit(unit)
+        self.setAccessibleName(f"{title}, {shown.sign}")
+        if needed:
+            tip = gettext("{description}, in {unit}", description=description, unit=shown.sign)
+        else:
+            tip = gettext(
+                "{description}, in {unit}. If empty: {meaning}.",
+                description=description, unit=shown.sign, meaning=empty,
+            )  # fmt: skip
+        self.setToolTip(tip)
+        self.setPlaceholderText(empty)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setFont(theme.tabular(self.font()))
         self.setMinimumWidth(48)
-        shown = units.unit(base) if units.differs(base) else units.Unit(unit)
-        self._what, self._unit, self._scale = what, shown.sign, scale * shown.factor
+        self._title, self._unit, self._scale = title, shown.sign, scale * shown.factor
         self._given: tuple[str, float] | None = None
         self.textChanged.connect(self._mark)
 
@@ -58,10 +65,10 @@ class OptionalNumber(QLineEdit):
         Raises
         ------
         InputError
-            Where something else than a number stands there.
+            Where the text is not a number.
         """
         if self._given is not None and self.text() == self._given[0]:
-            return self._given[1]  # what is only shown keeps all its digits
+            return self._given[1]  # an unchanged value keeps all its digits
         text = self.text().strip().replace(",", ".").replace("−", "-")
         if not text:
             return None
@@ -72,14 +79,14 @@ class OptionalNumber(QLineEdit):
         if not math.isfinite(number):
             raise InputError(
                 error(
-                    "window.not_a_number_in", field=say(self._what), text=self.text().strip(),
+                    "window.not_a_number_in", field=self._title, text=self.text().strip(),
                     unit=self._unit,
                 )
             )  # fmt: skip
         return number / self._scale
 
     def show_value(self, value: float | None) -> None:
-        """Fill in without telling anyone."""
+        """Fill in without emitting a signal."""
         self.blockSignals(True)
         shown = "" if value is None else f"{value * self._scale:.6g}"
         self.setText(shown.replace(".", QLocale().decimalPoint()))
@@ -88,7 +95,7 @@ class OptionalNumber(QLineEdit):
         self._mark()
 
     def _mark(self) -> None:
-        """Show by the frame whether what is typed is a number that a sigma can be."""
+        """Show by the frame whether the text is a valid standard deviation."""
         try:
             wrong = (self.value() or 0.0) < 0
         except InputError:
@@ -99,13 +106,18 @@ class OptionalNumber(QLineEdit):
 
 
 class Fold(QWidget):
-    """A heading that folds what stands below it; folded, it tells what is set there."""
+    """A heading that folds the widget below it, and shows a summary of its settings.
+
+    Parameters
+    ----------
+    title : English, or in the user's language
+    """
 
     folded = Signal(bool)
 
     def __init__(self, title: str, name: str, body: QWidget) -> None:
         super().__init__()
-        self._title = title
+        self._title = say(title)
         self.head = QToolButton()
         self.head.setObjectName(name)
         self.head.setCheckable(True)
@@ -126,9 +138,10 @@ class Fold(QWidget):
         self.set_summary("")
         self._show(False)
 
-    def set_summary(self, words: str) -> None:
-        """What is set inside, in a few words that are said already."""
-        self.head.setText(say(f"{self._title}: {words}" if words else self._title))
+    def set_summary(self, summary: str) -> None:
+        """Show the settings inside, in the user's language."""
+        text = gettext("{title}: {summary}", title=self._title, summary=summary)
+        self.head.setText(text if summary else self._title)
         self.head.setToolTip(widgets.plain_tip(self.head.text()))
 
     def open(self, unfolded: bool = True) -> None:

@@ -1,4 +1,4 @@
-"""A small picture of the scanner's axes in the body's, turned with the mouse."""
+"""A small picture of the scanner axes in the body frame, rotated with the mouse."""
 
 import numpy as np
 from PySide6.QtCore import QPointF, QSize, Qt
@@ -7,14 +7,13 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.geometry.rotations import rotation_matrix
 from lispac.gui import theme
-from lispac.gui.language import say
-from lispac.language import gettext
+from lispac.language import N_, gettext
 
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 SHOWN_DEG = 25.0
 """The exaggerated turn stays below this, so that the axes keep their places."""
 SCANNER_AXES = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
-_BODY = ("forward", "port", "up")
+_BODY = (N_("forward"), N_("port"), N_("up"))
 _HULL = np.array([[1.0, 0, 0], [0.55, 0.3, 0], [-0.75, 0.3, 0], [-0.75, -0.3, 0], [0.55, -0.3, 0]])
 _VIEW_DEG = (-142.0, 26.0)
 _DEGREES_PER_PIXEL = 0.5
@@ -65,16 +64,16 @@ def _rotation_vector(boresight: np.ndarray) -> np.ndarray:
 
 
 class Gizmo(QWidget):
-    """Body axes in grey, scanner axes in colour with the turn exaggerated."""
+    """Body axes in grey, scanner axes in colour with the rotation enlarged."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("gizmo")
-        self.setAccessibleName(say("Scanner axes in the body axes"))
+        self.setAccessibleName(gettext("Scanner axes in the body axes"))
         self.setToolTip(
-            say(
-                "Grey: axes of the vessel. Coloured: axes of the scanner, the turn exaggerated by "
-                "the factor shown. Drag or use the arrow keys to turn, double-click to reset."
+            gettext(
+                "Grey: axes of the vessel. Coloured: axes of the scanner, with the rotation "
+                "enlarged. Drag or use the arrow keys to rotate, double-click to reset."
             )
         )
         self.setMinimumHeight(190)
@@ -136,32 +135,32 @@ class Gizmo(QWidget):
         painter.drawPolygon(QPolygonF([self._at(corner) for corner in _HULL]))
         # What is farther from the eye is drawn first.
         drawn = [
-            (1.2 * axis, "body_axis", word, 1.5)
-            for axis, word in zip(np.eye(3), _BODY, strict=True)
+            (1.2 * axis, "body_axis", gettext(name), 1.5)
+            for axis, name in zip(np.eye(3), _BODY, strict=True)
         ]
         drawn += [
             (0.95 * axis, colour, letter, 3.0)
             for axis, (letter, colour) in zip(self.scanner_axes, SCANNER_AXES, strict=True)
         ]
-        for axis, colour, word, width in sorted(drawn, key=lambda each: self._depth(each[0])):
-            self._draw_axis(painter, axis, colour, word, width)
+        for axis, colour, name, width in sorted(drawn, key=lambda each: self._depth(each[0])):
+            self._draw_axis(painter, axis, colour, name, width)
         painter.setPen(QColor(theme.MUTED))
-        painter.drawText(10, self.height() - 10, say(turn_words(self.factor)))
+        painter.drawText(10, self.height() - 10, turn_words(self.factor))
         painter.end()
 
     def _draw_axis(
-        self, painter: QPainter, axis: np.ndarray, colour: str, word: str, width: float
+        self, painter: QPainter, axis: np.ndarray, colour: str, name: str, width: float
     ) -> None:
         pen = QPen(theme.colour(colour))
         pen.setWidthF(width)
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         painter.setPen(pen)
         painter.drawLine(self._at(np.zeros(3)), self._at(axis))
-        metrics, word = painter.fontMetrics(), say(word)
+        metrics = painter.fontMetrics()
         tip = self._at(1.12 * axis)
-        x = tip.x() - metrics.horizontalAdvance(word) / 2
-        x = min(max(x, 4.0), self.width() - metrics.horizontalAdvance(word) - 4.0)
-        painter.drawText(QPointF(x, tip.y() + metrics.ascent() / 2 - 1), word)
+        x = tip.x() - metrics.horizontalAdvance(name) / 2
+        x = min(max(x, 4.0), self.width() - metrics.horizontalAdvance(name) - 4.0)
+        painter.drawText(QPointF(x, tip.y() + metrics.ascent() / 2 - 1), name)
 
     def _at(self, point_body: np.ndarray) -> QPointF:
         x, y, _ = self.project(point_body)[0]

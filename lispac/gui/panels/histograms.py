@@ -1,4 +1,4 @@
-"""Each validation plane: distances between the lines before and after."""
+"""Distances between the lines on each validation plane, before and after."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
@@ -17,37 +17,50 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say
 from lispac.gui.panels import distances, pairs_table, widgets
 from lispac.gui.turns import Turn
+from lispac.language import N_, gettext, number
 from lispac.project import Project
+from lispac.validation.profile import Profile
 from lispac.validation.results import DistanceStatistics, PlaneComparison
 
-_HEADS = ("Plane", "n", "Median (mm)", "RMS (mm)", "95 % (mm)")
-_TIPS = (
-    "Validation plane",
-    "Distances between points of one line and the surface of another",
-    "Median distance, millimetres, before → after",
-    "Root mean square distance, millimetres, before → after",
-    "95 % of the distances are smaller, millimetres, before → after",
+_COLUMNS = (
+    (N_("Plane"), N_("Validation plane")),
+    (N_("n"), N_("Number of distances between points of one line and the surface of another")),
+    # Units in a second line: all columns fit a small screen
+    (N_("Median\n({unit})"), N_("Median distance, before → after")),
+    (N_("RMS\n({unit})"), N_("Root mean square distance, before → after")),
+    (N_("95 %\n({unit})"), N_("95 % of the distances are smaller, before → after")),
 )
+"""Heading and tooltip of each column."""
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _SHARES = (3, 4)
 """Of the width, for the tables and for the plot, until the user moves the handle between them."""
-PLOTS = ("Histogram", "Histogram, shares", "Against height and range")
-AGAINST = PLOTS.index("Against height and range")
-ZOOM = "Wheel: closer or farther; drag: move; double click: all of it"
-AGAINST_WORDS = {"Height (m)": "height", "Range (m)": "range"}
+PLOTS = (N_("Histogram"), N_("Histogram, shares"), N_("Against height and range"))
+SHARES, AGAINST = 1, 2
+"""Places of two of the plots."""
+ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+POOLED = {
+    "reciprocal pairs": N_("{plane}: reciprocal pairs of lines, {model}"),
+    "all pairs": N_("{plane}: all pairs of lines, {model}"),
+}
+"""Which pairs the distances of a plane are from."""
+STATISTICS = (
+    N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
+    N_("after: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
+)
+"""Legend of the histogram, as in the report."""
 
 
 def preload() -> None:
-    """Import Matplotlib, which takes half a second: to be called in the worker."""
+    """Import Matplotlib in the worker: it takes half a second."""
     import lispac.report.histograms  # noqa: F401
     import lispac.report.profiles  # noqa: F401
 
 
 class HistogramsPanel(QWidget):
-    """A row of figures for each plane and for each pair of lines, and the plots of one plane."""
+    """Tables of the planes and of the pairs of lines, and the plots of one plane."""
 
     plane_selected = Signal(str)
 
@@ -60,8 +73,10 @@ class HistogramsPanel(QWidget):
         layout = widgets.column(empty)
         layout.addWidget(
             widgets.label(
-                "No comparison yet. Pick validation planes, estimate, then press Validate in "
-                "step 4: the distances between the lines before and after appear here.",
+                gettext(
+                    "No comparison yet. Pick validation planes, estimate the boresight, then press "
+                    "Validate in step 4."
+                ),
                 "muted", wrap=True, name="histograms_empty",
             )
         )  # fmt: skip
@@ -76,8 +91,8 @@ class HistogramsPanel(QWidget):
         self.pairs = pairs_table.pairs_table()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("comparison_tabs")
-        self.tabs.addTab(self.table, say("Planes"))
-        self.tabs.addTab(self.pairs, say("Pairs of lines"))
+        self.tabs.addTab(self.table, gettext("Planes"))
+        self.tabs.addTab(self.pairs, gettext("Pairs of lines"))
         filled.addWidget(self.tabs)
         plots = QWidget()
         self._plots = QVBoxLayout(plots)
@@ -94,23 +109,26 @@ class HistogramsPanel(QWidget):
 
     def _tools(self) -> QHBoxLayout:
         self.plot = widgets.Choice(
-            "comparison_plot", PLOTS,
-            "What is drawn of the plane: how often each distance occurs, which share of the points "
-            "has it, or how the distances grow with height and range (before a calibration they "
-            "do, after it they should not)",
+            "comparison_plot", [gettext(plot) for plot in PLOTS],
+            gettext(
+                "Number of points by distance, share of the points by distance, or distance "
+                "against height and range. After a calibration the distances should not grow with "
+                "height or range."
+            ),
         )  # fmt: skip
         self.plot.setMinimumContentsLength(len(PLOTS[AGAINST]))
         self.plot.currentIndexChanged.connect(self._selected_again)
-        self.reading = widgets.label(ZOOM, "muted", name="comparison_reading")
-        # What it says is to be cut off rather than to widen the plot.
+        self.reading = widgets.label(gettext(ZOOM), "muted", name="comparison_reading")
+        # A long text is cut off, so that it does not widen the plot.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.copy_picture = widgets.button(
-            "Copy picture", "copy_plot", tip="Copy the plot as it is shown to the clipboard"
-        )
+            gettext("Copy picture"), "copy_plot",
+            tip=gettext("Copy the plot to the clipboard as it is shown"),
+        )  # fmt: skip
         self.copy_picture.clicked.connect(self._copy_picture)
         self.copy_numbers = widgets.button(
-            "Copy numbers", "copy_numbers",
-            tip="Copy what the plot is drawn from to the clipboard, as a table for a spreadsheet",
+            gettext("Copy numbers"), "copy_numbers",
+            tip=gettext("Copy the data of the plot to the clipboard, as a table for a spreadsheet"),
         )  # fmt: skip
         self.copy_numbers.clicked.connect(self._copy_numbers)
         row = QHBoxLayout()
@@ -144,9 +162,9 @@ class HistogramsPanel(QWidget):
         self.table.setRowCount(len(comparisons))
         font = theme.tabular(self.table.font())
         for row, each in enumerate(comparisons):
-            tip = say(f"{each.name}: {each.pooled_from} of lines, {each.model.in_words}")
+            tip = gettext(POOLED[each.pooled_from], plane=each.name, model=say(each.model.in_words))
             for column, text in enumerate(_texts(each)):
-                item = QTableWidgetItem(say(text) if column else text)
+                item = QTableWidgetItem(text)
                 item.setFont(font)
                 if column:
                     item.setTextAlignment(_RIGHT)
@@ -161,7 +179,7 @@ class HistogramsPanel(QWidget):
             self._drawing.start()
 
     def select(self, name: str) -> None:
-        """Draw one plane's histograms, without telling anyone."""
+        """Draw the histograms of one plane without emitting a signal."""
         names = [each.name for each in self._comparisons]
         if name in names and self.current != name:
             self.table.blockSignals(True)
@@ -184,23 +202,23 @@ class HistogramsPanel(QWidget):
         from lispac.report.profiles import profile_figure
 
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
-        self.tabs.setTabText(1, say(f"Pairs of lines on {comparison.name}"))
+        self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
         canvas = self._canvas()
         if self.plot.currentIndex() == AGAINST:
             profile_figure(comparison, canvas.figure, say)
         else:
             histogram_figure(
-                comparison, canvas.figure, share=self.plot.currentIndex() == 1, say=say
+                comparison, canvas.figure, share=self.plot.currentIndex() == SHARES, say=say
             )
         self._show_units(canvas.figure)
         self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
-        self.reading.setText(say(ZOOM))
+        self.reading.setText(gettext(ZOOM))
         canvas.draw_idle()
         canvas.setAccessibleName(
-            say(
-                f"Distances on {comparison.name}, {PLOTS[self.plot.currentIndex()].lower()}, "
-                "before in blue "
-                "and after in brown"
+            gettext(
+                "{plot}: distances on {plane}, before in blue and after in brown",
+                plot=gettext(PLOTS[self.plot.currentIndex()]),
+                plane=comparison.name,
             )
         )
 
@@ -211,11 +229,10 @@ class HistogramsPanel(QWidget):
         legend = None if against or not units.differs("mm") else figure.axes[0].get_legend()
         if legend is not None and self._current is not None:
             each = self._current
-            for text, words in zip(
-                legend.get_texts(), (_words("before", each.before), _words("after", each.after)),
-                strict=True,
-            ):  # fmt: skip
-                text.set_text(units.signs(say(words), "mm"))
+            for text, template, state in zip(
+                legend.get_texts(), STATISTICS, (each.before, each.after), strict=True
+            ):
+                text.set_text(_statistics_text(template, state))
         for axes in figure.axes:
             in_units(axes.xaxis, "m" if against else "mm")
             if against:
@@ -229,41 +246,42 @@ class HistogramsPanel(QWidget):
             self.canvas = Chart(260, 120)
             self.canvas.setObjectName("histogram_canvas")
             self._zooming = Zooming(self.canvas)
-            canvas, leave = self.canvas, lambda _event: self.reading.setText(say(ZOOM))
-            heard = (
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM))
+            connections = (
                 canvas.mpl_connect("motion_notify_event", self._read),
                 canvas.mpl_connect("axes_leave_event", leave),
             )
-            # Where the words go first, the mouse may still leave the canvas
-            self.reading.destroyed.connect(lambda: [canvas.mpl_disconnect(each) for each in heard])
+            # The label may be deleted before the mouse leaves the canvas
+            self.reading.destroyed.connect(
+                lambda: [canvas.mpl_disconnect(each) for each in connections]
+            )
             self._plots.insertWidget(1, self.canvas, 1)
         return self.canvas
 
     def _read(self, event) -> None:
-        """Say what is under the mouse."""
+        """Show the values under the mouse."""
         comparison, axes = self._current, event.inaxes
         if comparison is None or axes is None:
             return
         if self.plot.currentIndex() == AGAINST:
-            what = {say(label): word for label, word in AGAINST_WORDS.items()}.get(
-                axes.get_xlabel(), ""
-            )
-            profile = comparison.by_height if what == "height" else comparison.by_range
-            if profile is not None:
-                words = distances.profile_words(profile, what, event.xdata)
-                self.reading.setText(units.signs(say(words), "mm", "m"))
+            profiles: tuple[tuple[distances.Against, Profile | None], ...] = (
+                ("height", comparison.by_height), ("range", comparison.by_range)
+            )  # fmt: skip
+            drawn = [(against, each) for against, each in profiles if each is not None]
+            for place, (against, profile) in zip(axes.figure.axes, drawn, strict=False):
+                if place is axes:
+                    self.reading.setText(distances.profile_words(profile, against, event.xdata))
             return
         edges = axes.patches[0].get_data().edges
         k = int(edges.searchsorted(event.xdata, side="right")) - 1
         if 0 <= k < len(edges) - 1:
             low, high = edges[k] / 1000.0, edges[k + 1] / 1000.0
-            words = distances.histogram_words(comparison, low, high)
-            self.reading.setText(units.signs(say(words), "mm"))
+            self.reading.setText(distances.histogram_words(comparison, low, high))
 
     def _copy_picture(self) -> None:
         if self.canvas is not None:
             QGuiApplication.clipboard().setPixmap(self.canvas.picture())
-            self.reading.setText(say("The picture is in the clipboard"))
+            self.reading.setText(gettext("The picture was copied to the clipboard"))
 
     def _copy_numbers(self) -> None:
         comparison = self._current
@@ -277,23 +295,27 @@ class HistogramsPanel(QWidget):
             low, high = self.canvas.figure.axes[0].get_xlim()
             text = distances.histogram_text(comparison, (high - low) / 1000.0, BARS)
         QGuiApplication.clipboard().setText(text)
-        self.reading.setText(say("The numbers are in the clipboard, ready for a spreadsheet"))
+        self.reading.setText(gettext("The numbers were copied to the clipboard"))
 
 
-def _words(state: str, each: DistanceStatistics) -> str:
-    """Of the legend, as the report says them."""
-    a, b, c = (units.figure(1000 * v, "mm", ".1f") for v in (each.median, each.rms, each.p95))
-    return f"{state}: n {each.n:,}\nmedian {a}, RMS {b}, 95 % {c} mm"
+def _statistics_text(template: str, state: DistanceStatistics) -> str:
+    median, rms, p95 = (
+        units.local_figure(1000 * value, "mm", ".1f")
+        for value in (state.median, state.rms, state.p95)
+    )
+    return gettext(
+        template, count=state.n, median=median, rms=rms, p95=p95, unit=units.local_sign("mm")
+    )
 
 
 def _texts(each: PlaneComparison) -> list[str]:
     def change(*states: float) -> str:
-        before, after = (units.figure(1000 * each, "mm", ".1f") for each in states)
+        before, after = (units.local_figure(1000 * each, "mm", ".1f") for each in states)
         return f"{before} → {after}"
 
     return [
         each.name,
-        f"{each.before.n:,}",
+        number(each.before.n, 0),
         change(each.before.median, each.after.median),
         change(each.before.rms, each.after.rms),
         change(each.before.p95, each.after.p95),
@@ -301,16 +323,15 @@ def _texts(each: PlaneComparison) -> list[str]:
 
 
 def _table() -> QTableWidget:
-    table = QTableWidget(0, len(_HEADS))
+    table = QTableWidget(0, len(_COLUMNS))
     table.setTabKeyNavigation(False)
     table.setObjectName("comparison_table")
-    table.setAccessibleName(say("Validation planes before and after"))
-    # Units in a second line: all columns are seen on a small screen
-    heads = [units.signs(each, "mm", figures=False) for each in say_all(list(_HEADS))]
-    table.setHorizontalHeaderLabels([head.replace(" (", "\n(") for head in heads])
-    for column, tip in enumerate(_TIPS):
+    table.setAccessibleName(gettext("Validation planes before and after"))
+    unit = units.local_sign("mm")
+    table.setHorizontalHeaderLabels([gettext(title, unit=unit) for title, _ in _COLUMNS])
+    for column, (_, tip) in enumerate(_COLUMNS):
         head = table.horizontalHeaderItem(column)
-        head.setToolTip(units.signs(say(tip), "mm", figures=False))
+        head.setToolTip(gettext(tip))
         if column:
             head.setTextAlignment(_RIGHT)
     table.verticalHeader().hide()

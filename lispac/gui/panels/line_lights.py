@@ -10,16 +10,18 @@ from lispac.gui import theme, units
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.sightings_table import quality_words
+from lispac.language import Plural, gettext
 from lispac.project import PickedSighting, Target
 from lispac.targets.quality import SightingQuality
 
 SIZE, GAP = 16, 14
 """Pixels: side of a light, and between one line and the next."""
 WAITS = "circle-outline"
+POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
 
 
 class LineLights(QWidget):
-    """As many lines side by side as there is room for."""
+    """Lights and names of the lines, as many in a row as fit."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -32,46 +34,49 @@ class LineLights(QWidget):
         self._columns = 0
 
     def show_target(self, target: Target) -> None:
-        """List the lines it was found on; how good they are is not known yet."""
-        for _, light, words in self._cells.values():
-            for each in (light, words):
+        """List the lines on which the target was found; their quality is not known yet."""
+        for _, light, name in self._cells.values():
+            for each in (light, name):
                 each.hide()
                 each.deleteLater()
         self._cells = {}
         for sighting in target.sightings:
-            light, words = QLabel(self), QLabel(sighting.line, self)
-            words.setTextFormat(Qt.TextFormat.PlainText)
+            light, name = QLabel(self), QLabel(sighting.line, self)
+            name.setTextFormat(Qt.TextFormat.PlainText)
             light.setObjectName(f"light_{sighting.line}")
             light.setFixedSize(SIZE, SIZE)
-            words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-            self._cells[sighting.line] = sighting, light, words
+            name.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+            self._cells[sighting.line] = sighting, light, name
         self.show_qualities({})
         self._columns = 0
         self._place()
 
     def show_qualities(self, qualities: Mapping[str, SightingQuality]) -> None:
-        """Light up the lines whose quality is known."""
-        for line, (sighting, light, words) in self._cells.items():
+        """Show the quality of the lines where it is known."""
+        for line, (sighting, light, name) in self._cells.items():
             quality = qualities.get(line)
             icon = theme.icon(WAITS, theme.MUTED) if quality is None else theme.light(quality.light)
             light.setPixmap(icon.pixmap(SIZE, SIZE))
-            said = "Being judged" if quality is None else quality_words(quality)
-            rms = units.amount(1000 * sighting.rms, "mm", ".1f")
-            tip = f"{line}: {len(sighting.indices):,} points, {rms} RMS\n{said}"
-            for each in (light, words):
-                each.setToolTip(widgets.plain_tip(say(tip)))
-                each.setAccessibleName(say(f"{line}: {said}"))
+            if quality is None:
+                judgement = gettext("Quality is being determined")
+            else:
+                judgement = say(quality_words(quality))
+            rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")
+            points = gettext(POINTS, line=line, count=len(sighting.indices), rms=rms)
+            for each in (light, name):
+                each.setToolTip(widgets.plain_tip(f"{points}\n{judgement}"))
+                each.setAccessibleName(f"{line}. {judgement}")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the names anew."""
+        """Arrange the names for the new width."""
         super().resizeEvent(event)
         self._place()
 
     def _place(self) -> None:
-        """In rows, each column as wide as the longest name."""
+        """Arrange the lines in rows, each column as wide as the longest name."""
         if not self._cells:
             return
-        widest = max(words.sizeHint().width() for _, _, words in self._cells.values())
+        widest = max(name.sizeHint().width() for _, _, name in self._cells.values())
         columns = max(1, (self.width() + GAP) // (SIZE + 4 + widest + GAP))
         columns = min(columns, len(self._cells))
         if columns == self._columns:
@@ -81,9 +86,9 @@ class LineLights(QWidget):
             self._grid.setColumnMinimumWidth(k, 0)
         self._columns = columns
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        for k, (_, light, words) in enumerate(self._cells.values()):
+        for k, (_, light, name) in enumerate(self._cells.values()):
             row, column = divmod(k, columns)
             self._grid.addWidget(light, row, 2 * column, left)
-            self._grid.addWidget(words, row, 2 * column + 1, left)
+            self._grid.addWidget(name, row, 2 * column + 1, left)
             self._grid.setColumnMinimumWidth(2 * column + 1, widest + GAP - 8)
         self._grid.setColumnStretch(2 * columns, 1)

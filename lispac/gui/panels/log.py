@@ -1,31 +1,32 @@
-"""What happened, line by line."""
+"""The log of the program."""
 
 from datetime import datetime
 
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit
 
-from lispac.gui.language import say, say_with_capital
+from lispac.gui.language import say_with_capital
+from lispac.language import N_, gettext
 
 MOST_LINES = 2000
-EMPTY = "What the program does, takes for granted and cannot do is noted here, with the time."
+EMPTY = N_("Actions, assumptions and errors of the program are listed here with their time.")
 
 
 class LogPanel(QPlainTextEdit):
-    """Notes of the program with their time, to read and to copy."""
+    """Lines with their time, which can be read and copied."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("log")
-        self.setAccessibleName(say("Log"))
+        self.setAccessibleName(gettext("Log"))
         self.setReadOnly(True)
-        self.setPlaceholderText(say(EMPTY))
+        self.setPlaceholderText(gettext(EMPTY))
         self.setMaximumBlockCount(MOST_LINES)
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
 
     def take_over(self, former: "LogPanel") -> None:
-        """Begin with what another one says, for a window made anew."""
+        """Take the lines of the log of a former window."""
         self.setPlainText(former.toPlainText())
 
     def note(self, text: str) -> None:
