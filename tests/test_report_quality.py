@@ -81,7 +81,9 @@ def _settings(content: ReportContent) -> dict[str, str]:
 def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     said = _settings(sample_content(project))
     assert said["POS errors"].startswith("Correlated. All points of one sighting share")
-    assert said["Correlation times, position, attitude"].startswith("300 s, 600 s: duration of a POS error")
+    assert said["Correlation times, position, attitude"].startswith(
+        "300 s, 600 s: duration of a POS error"
+    )
     assert said["Surface sigma"].startswith("0.4\u00a0mm, estimated from the data")
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
     assert said["LiDAR noise found"] == "not above the given noise on any target"
@@ -187,7 +189,9 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
     row = _tables(document)["Agreement of the sightings"].rows[0]
     assert row[2:8] == ("\u2013",) * 6
     assert row[-1] == "not checked"
-    assert "Checked by no other data: T1 on line L1." in _words(document, "Reliability of the sightings")
+    assert "Checked by no other data: T1 on line L1." in _words(
+        document, "Reliability of the sightings"
+    )
 
 
 def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) -> None:
@@ -260,7 +264,9 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
     document = document_of(content, {})
-    assert "Sightings are not tested: in this stochastic model" in _words(document, "Reliability of the sightings")
+    assert "Sightings are not tested: in this stochastic model" in _words(
+        document, "Reliability of the sightings"
+    )
     assert "Roll hangs on no line." in _words(document, "Boresight and its uncertainty")
     assert "No part of the data" in _words(document, "Cross-checks")
     data = json.loads(json_text(content))

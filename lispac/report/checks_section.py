@@ -234,8 +234,8 @@ def cross_checks(content: ReportContent) -> list[Block]:
         blocks.append(
             Paragraph(
                 gettext(
-                    "The spread with one target left out needs at least three targets, and a result "
-                    "without each of them."
+                    "The spread with one target left out needs at least three targets, and a "
+                    "result without each of them."
                 )
             )
         )

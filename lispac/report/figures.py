@@ -30,7 +30,6 @@ from lispac.report.values import (
     SightingFit,
 )
 from lispac.report.wording import (
-    degrees_unit,
     fixed,
     localised,
     parameter,
@@ -201,7 +200,7 @@ def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
         )
         axes.set_xlim(-widest, widest)
         axes.locator_params(axis="x", nbins=3)
-        dress(axes, "mm" if k < 3 else localised(f"0.001 {degrees_unit()}"), "")
+        dress(axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed(0.001, 3)), "")
         axes.grid(False)
         axes.set_title(gettext(name), fontsize=TEXT, color=INK)
         axes.tick_params(axis="y", length=0)

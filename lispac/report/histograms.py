@@ -26,7 +26,7 @@ NEAR, WORTH_IT = 1.6, 0.4
 """What came after is enlarged beside the whole: so many of its 95th percentiles, where that is less
 than this share of the whole."""
 COLOURS = (BEFORE, AFTER)
-_WHOLE = N_("Distance between lines (mm); the last bin holds all larger ones")
+_WHOLE = N_("Distance between lines (mm); last bin: all larger ones")
 _NEAR = N_("Enlarged (mm)")
 _POOLED: Mapping[str, str] = {
     "reciprocal pairs": N_("{plane}, reciprocal pairs, {model}"),

@@ -147,10 +147,15 @@ def _numbers() -> re.Pattern[str]:
 
 def _plain(cell: str, numbers: re.Pattern[str]) -> str:
     text = cell.replace("\u2212", "-").replace("\u200b", "").strip()
-    number = numbers.fullmatch(text)
-    if number is None:
+    found = [numbers.fullmatch(part) for part in text.split(" \u00b1 ")]  # value and interval
+    plain = [_number(each) for each in found if each is not None]
+    if len(plain) < len(found):
         return re.sub("[\u00a0\u202f]", " ", text)
-    sign, whole, decimals = number.groups()
+    return " \u00b1 ".join(plain)
+
+
+def _number(found: re.Match[str]) -> str:
+    sign, whole, decimals = found.groups()
     return f"{sign}{re.sub('[^0-9]', '', whole)}{f'.{decimals}' if decimals else ''}"
 
 
