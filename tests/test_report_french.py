@@ -11,13 +11,16 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.language import in_language
 from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
-from lispac.report.blocks import Paragraph, Signature
+from lispac.report.blocks import Bullets, Drawing, Paragraph, Signature, Table
 from lispac.report.budget_values import Budget
 from lispac.report.content import ReportContent, report_content
 from lispac.report.document import document_of, drawn_document, undrawn_document
@@ -250,6 +253,40 @@ def _numbers(text: str, decimal: str, group: str) -> list[str]:
     return [each.replace(group, "").replace(decimal, ".") for each in found]
 
 
+NUMBERS_OF_NAMES = re.compile(r"6\.1\.0|LISPAC \d+\.\d+\.\d+\w*|1980-\S+")
+
+
+@pytest.mark.parametrize("variant", ["as it is", "thesis", "parameters", "components"])
+def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, variant: str) -> None:
+    # Without notes of the import: they quote units as the files have them
+    content = replace(content_of_sample(VARIANTS[variant](project)), notes=())
+    with in_language("fr"):
+        document = undrawn_document(content, {}, FRENCH, translator(content, "fr"))
+        blocks = [*document.summary, *(b for section in document.sections for b in section.blocks)]
+        figures: list[Figure] = []
+        for block in blocks:
+            if isinstance(block, Drawing):
+                drawn = block.draw(*block.values)
+                figures += [drawn] if isinstance(drawn, Figure) else drawn
+        assert len(figures) > 4
+        shown = []
+        for figure in figures:
+            FigureCanvasAgg(figure).draw()
+            shown += [text.get_text() for text in figure.findobj(Text)]
+    texts = [*document.serious, *document.cautions]
+    for block in blocks:
+        if isinstance(block, Table):
+            texts += [cell for row in block.rows for cell in row]
+        elif isinstance(block, Bullets):
+            texts += block.items
+        elif isinstance(block, Paragraph):
+            texts.append(block.text)
+    left = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
+    assert [text for text in left if re.search(r"\d\.\d", text)] == []
+    assert [text for text in shown if re.search(r"-\d", text)] == []
+    assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10
+
+
 def test_names_that_are_words_stay(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "before", target="Points")
     document = document_of(content_of_sample(project), {}, FRENCH)
@@ -294,6 +331,13 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     assert rows[0] == ["Ligne", "Fichier", "Cap (°)", "Points"]
     assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]
     assert "-carte-de-v1-" in " ".join(archive.namelist())
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        angles = archive.read("02-angles-de-visee.csv").decode("utf-8-sig").splitlines()
+        (offsets,) = (n for n in archive.namelist() if "comparaison-des-plans" in n)
+        planes = archive.read(offsets).decode("utf-8-sig").splitlines()
+    for row in list(csv.reader(angles))[1:]:
+        assert all(re.fullmatch(r"[+-]?\d+\.\d{4}", number) for number in row[1:])
+    assert re.search(r"[+-]\d+\.\d \u00b1 \d+\.\d", planes[1])
 
 
 def test_names_of_makers_need_no_elision(project: Project) -> None:
