@@ -86,15 +86,15 @@ def report_content(
     counts : points by name of the line
     track_local : ndarray of shape (k, 2) by name of the line, metres, north and west
         Course of the vessel, coarse.
-    notes : what was assumed while reading, in words
+    notes : assumptions of the import, as texts
     generated : datetime
         Taken as UTC where it has no time zone.
     qualities : by the names of target and line
-    convention : key of another program, to state the boresight as that has it; empty for none
+    convention : key of another program in whose convention the boresight is given; empty for none
     budget : of the system, where something was estimated
-    trajectory : how good it was on each line
-    refused : why an estimate was refused that was asked for after that of the project
-    digests : whether to read the input files for theirs; without, no files are listed
+    trajectory : motion and precision on each line
+    refused : reason why a later estimate than that of the project was refused
+    digests : whether to read the input files for their digests; without, no files are listed
 
     Raises
     ------

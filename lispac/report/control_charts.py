@@ -1,4 +1,4 @@
-"""The control chart of a system: its calibrations over the years, angle by angle."""
+"""Control chart of a system: its calibrations over time, angle by angle."""
 
 from collections.abc import Mapping, Sequence
 from datetime import date
@@ -19,7 +19,7 @@ AXES: Mapping[str, str] = {
 }  # fmt: skip
 LIMITS = "#dbe4ee"
 HALF = 0.35
-"""Of the time between two calibrations: how far limits reach to either side of theirs."""
+"""Share of the time between two calibrations that limits extend to either side."""
 DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
 """Formats of a date beside the axis, from years to seconds: the same in every language."""
 
@@ -30,7 +30,7 @@ def control_figure(
     figure: Figure | None = None,
     _say: Say = unchanged,
 ) -> Figure:
-    """Each angle with its 95 % interval, and the limits that those before it set for it.
+    """Each angle with its 95 % interval, and the limits from the earlier calibrations.
 
     Parameters
     ----------

@@ -183,7 +183,7 @@ def _north_and_scale(axes: Axes) -> None:
 
 
 def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """The wall as it is seen from the water."""
+    """The wall as seen from the water."""
     for target in plan.targets:
         along = wall.seen(target.centre)[0]
         up = target.centre[2]
@@ -215,7 +215,7 @@ TARGET_HEADS = (
     N_("from level (deg)"), N_("faces (deg)"),
 )  # fmt: skip
 AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
-"""Where columns begin."""
+"""Left ends of the columns, as shares of the width of the page."""
 LINE_HEADS = (
     N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("site on"), N_("off wall (m)"),
     N_("speed (m/s)"), N_("straight from, to (m)"),

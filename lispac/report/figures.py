@@ -1,7 +1,7 @@
-"""The plots, as matplotlib Figures: the report saves them, the window shows them.
+"""Plots as matplotlib Figures, for the report and the window.
 
 Each function draws into the figure given, or into a new one. Style is set on the artists and
-never in matplotlib's global settings, so that drawing in a worker disturbs nobody.
+never in matplotlib's global settings, so that a worker can draw at the same time.
 """
 
 import pickle
@@ -44,7 +44,7 @@ LINE_COLOURS = (
     "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
     "#332288", "#882255", "#44aa99",
 )  # fmt: skip
-"""Told apart with any colour vision, after Paul Tol; the light ones darkened for thin lines."""
+"""Distinguishable with any colour vision (Paul Tol); light colours darkened for thin lines."""
 
 TEXT, SMALL = 8.0, 7.0
 PER_RESIDUAL_FIGURE = 28
@@ -53,7 +53,7 @@ PER_RESIDUAL_FIGURE = 28
 LONGEST_LABEL = 24
 
 NEAR = 0.05, 0.09
-"""Marks on the site plan whose names would meet, north and west; shares of what is drawn."""
+"""Distance of marks on the site plan whose names would overlap; shares of the drawn extent."""
 
 POS_COMPONENTS = (
     N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
@@ -174,7 +174,7 @@ def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
 
 
 def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
-    """A row a sighting, a panel a component: error, its 2 sigma, and the prior 2 sigma."""
+    """A row for each sighting, a panel for each component: error, 2 sigma, prior 2 sigma."""
     figure = blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     values, prior, after = (
@@ -252,7 +252,7 @@ def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
 
 
 def dress(axes: Axes, x_label: str, y_label: str) -> None:
-    """Labels, grid and spines as all figures have them."""
+    """Set labels, grid, spines and number format common to all figures."""
     axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
     axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
     axes.tick_params(labelsize=SMALL, colors=INK, length=3)
@@ -285,13 +285,13 @@ def drawable() -> frozenset[int]:
 
 
 def _plain(text: str) -> str:
-    """Text that matplotlib neither takes for mathematics nor lacks letters for."""
+    """The text without mathematics and without letters that the font does not have."""
     shown = "".join(letter if ord(letter) in drawable() else "\u25a1" for letter in text)
     return shown.replace("$", r"\$")
 
 
 def short_name(name: str) -> str:
-    """A name of the user's, cut where it would push the plot aside."""
+    """A name of the user, cut to a length that leaves space for the plot."""
     return _plain(name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026")
 
 

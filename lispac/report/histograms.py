@@ -21,10 +21,10 @@ from lispac.validation.results import PlaneComparison
 Array = NDArray[np.float64]
 
 BARS = 60
-"""Drawn across the picture, at the most."""
+"""Largest number of bars in a picture."""
 NEAR, WORTH_IT = 1.6, 0.4
-"""What came after is enlarged beside the whole: so many of its 95th percentiles, where that is less
-than this share of the whole."""
+"""The distances after are enlarged beside the whole: width in their 95th percentiles, and the share
+of the whole below which that is done."""
 COLOURS = (BEFORE, AFTER)
 _WHOLE = N_("Distance between lines (mm); last bin: all larger ones")
 _NEAR = N_("Enlarged (mm)")
@@ -137,7 +137,7 @@ def _count(value: float) -> str:
 
 
 class _Bars:
-    """Both states in one set of axes, in bins that suit what is seen of them."""
+    """Both states in one set of axes, with bins that suit the visible part."""
 
     def __init__(
         self, axes: Axes, counted: _Counted, share: bool, legend: Sequence[str], size: float

@@ -12,9 +12,9 @@ from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"
-"""Light where lines meet, dark where they are far apart; told apart by everyone."""
+"""Light where lines coincide, dark where they are far apart; for any colour vision."""
 OUTER = 95.0
-"""Percentile of the differences that ends the colours."""
+"""Percentile of the differences at the end of the colour scale."""
 
 
 def line_map(

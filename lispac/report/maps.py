@@ -1,4 +1,4 @@
-"""Where on a plane two lines lie apart: pictures of the distances, before and after."""
+"""Maps of the distances between two lines on a plane, before and after."""
 
 from collections.abc import Sequence
 
@@ -26,21 +26,21 @@ Array = NDArray[np.float64]
 
 STATES = N_("before"), N_("after"), N_("after, own scale")
 COLOURS = "RdBu_r"
-"""Red where the first line lies nearer to the vessel, white where the two fall on each other."""
+"""Red where the first line is nearer to the vessel, white where the two coincide."""
 WITHIN = 98.0
-"""Percentile of the distances that ends the colours."""
+"""Percentile of the distances at the end of the colour scale."""
 LEAST = 1e-4
 PIXELS = 10
-"""Along a cell's side: viewers blur the pixels of an image, so a cell has to be many."""
+"""Pixels along the side of a cell; viewers blur single pixels of an image."""
 WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
-"""Inches: of the figure, and the height of a picture."""
+"""Width of the figure, largest and smallest height of a picture; inches."""
 LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
 TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
 """Inches around and between the pictures."""
 CLEAR = 0.95
-"""Share of the room from panel to panel that a text may fill."""
+"""Largest share of the distance between panels that a text may fill."""
 BESIDE = 1.4
-"""Height over width of a plane beyond which its pairs stand beside each other."""
+"""Height over width of a plane beyond which its pairs are drawn beside each other."""
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
@@ -149,7 +149,7 @@ def _panels(
 
 
 def _bar(figure: Figure, panels: Sequence[Axes]) -> None:
-    """The colours of some panels below them, in millimetres."""
+    """Colour scale of some panels below them, in millimetres."""
     boxes = [axes.get_position(original=True) for axes in panels]
     left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
     inch = 1 / figure.get_size_inches()[1]

@@ -70,7 +70,7 @@ def reading(found: Visibility, error: str, criterion: str, inclination_deg: floa
         for heading, value in zip(HEADINGS_DEG, values, strict=True)
     ]
     return gettext(
-        "{quantity} at inclination {inclination:deg.0} deg, by line: {values}",
+        "{quantity} at {inclination:deg.0} deg, by line: {values}",
         quantity=gettext(shown.label), inclination=found.site.inclinations[j],
         values="; ".join(lines),
     )  # fmt: skip
