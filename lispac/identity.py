@@ -6,6 +6,7 @@ Everything is text as the user writes it, blank where it is not known. Nothing i
 from dataclasses import asdict, dataclass, fields, replace
 
 from lispac.errors import InputError
+from lispac.language import N_
 from lispac.messages import error, note
 
 LONGEST = 200
@@ -59,17 +60,17 @@ BLANK = Identity()
 NAMES = tuple(field.name for field in fields(Identity))
 
 LABELS = {
-    "surveyor": "Surveyor",
-    "company": "Company",
-    "vessel": "Vessel",
-    "site": "Site",
-    "scanner": "Scanner",
-    "scanner_serial": "Scanner serial number",
-    "pos": "INS/GNSS",
-    "pos_serial": "INS/GNSS serial number",
-    "dates": "Survey dates",
-    "lever_arm_origin": "Origin of the lever arm",
-    "remarks": "Remarks",
+    "surveyor": N_("Surveyor"),
+    "company": N_("Company"),
+    "vessel": N_("Vessel"),
+    "site": N_("Site"),
+    "scanner": N_("Scanner"),
+    "scanner_serial": N_("Scanner serial number"),
+    "pos": N_("INS/GNSS"),
+    "pos_serial": N_("INS/GNSS serial number"),
+    "dates": N_("Survey dates"),
+    "lever_arm_origin": N_("Origin of the lever arm"),
+    "remarks": N_("Remarks"),
 }
 """What the fields are called wherever they are shown."""
 

@@ -10,7 +10,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Level
 from lispac.report.absolute_values import Absolute
 from lispac.report.blocks import Paragraph
-from lispac.report.document import in_english
+from lispac.report.document import undrawn_document
 from lispac.report.options import ReportOptions
 from lispac.validation.absolute import (
     ALL_LINES,
@@ -106,7 +106,7 @@ def test_the_rms(tmp_path: Path, times: float, level: Level | None) -> None:
 def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: str | None) -> None:
     found = check({ALL_LINES: off})
     content = sample_content(sample_project(tmp_path).with_absolute(found))
-    document = in_english(content, {}, ReportOptions())
+    document = undrawn_document(content, {}, ReportOptions())
     first = Absolute.of(found).in_words[0]
     said = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
     warnings = [

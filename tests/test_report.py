@@ -222,7 +222,7 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
     assert codes == ["targets.single_line_targets", "report.not_found_target"]
     (few,) = [each for each in content.cautions if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
-    assert "T1 on L2: no plane at the seed" in html_text(content, {})
+    assert "T1 on line L2: no plane at the seed" in html_text(content, {})
 
 
 def test_truth_of_a_simulated_survey(project: Project) -> None:

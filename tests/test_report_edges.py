@@ -130,13 +130,13 @@ def test_what_the_lines_see_is_left_out_where_it_was_not_worked_out(project: Pro
     for observability, told, has_table in cases:
         result = replace(project.result, observability=observability)
         blocks = boresight_section.boresight(sample_content(replace(project, result=result)))
-        assert ("What the lines see:" in _text(blocks)) == told
+        assert ("How well the lines determine the angles:" in _text(blocks)) == told
         assert (head in _titles(blocks)) == has_table
 
 
 def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
     assert project.cross_checks is not None
-    excuse = "left out needs three of them"
+    excuse = "left out needs at least three"
     known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
     for checks, said in ((project.cross_checks, True), (known, False)):
         content = sample_content(replace(project, cross_checks=checks))
@@ -162,4 +162,4 @@ def test_sightings_held_to_one_shape_are_said_to_be(project: Project) -> None:
             for row in block.rows
             for cell in row
         ]
-        assert any(cell.startswith("none: each sighting is held to") for cell in cells) == said
+        assert any(cell.startswith("none: each sighting follows") for cell in cells) == said

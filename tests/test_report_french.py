@@ -11,23 +11,24 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.language import in_language
 from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
-from lispac.report.blocks import Paragraph, Signature
+from lispac.report.blocks import Bullets, Drawing, Paragraph, Signature, Table
 from lispac.report.budget_values import Budget
 from lispac.report.content import ReportContent, report_content
-from lispac.report.document import document_of, in_english
+from lispac.report.document import document_of, drawn_document, undrawn_document
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
-from lispac.report.translated import drawn, names_of, translated
-from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.translation import Translator
+from lispac.report.translated import translator
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.hidden import Shown
 from lispac.targets.quality import SightingQuality
@@ -57,10 +58,10 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 def _english_left(content: ReportContent) -> tuple[str, ...]:
-    """What the translator did not know, and what it said that still looks English."""
-    say = Translator(catalogue_of("fr"), names_of(content))
+    """What the translator did not know, and what of the report still looks English."""
+    say = translator(content, "fr")
     with in_language("fr"):
-        made = translated(drawn(in_english(content, {}, FRENCH, say), say), say)
+        made = drawn_document(undrawn_document(content, {}, FRENCH, say))
     english = re.compile(r"\b(the|of|and|or|to|is|was|were|are|with|from|by|its|they)\b")
     texts = json.dumps(asdict(made), default=lambda _: "", ensure_ascii=False).split('"')
     return (*say.unknown, *(text for text in texts if english.search(text)))
@@ -212,7 +213,7 @@ def test_what_the_user_typed_stays(project: Project) -> None:
     assert document.letterhead.company == "no"
     assert document.letterhead.heading == "Good."
     *_, closing, signature = document.summary
-    assert closing == Paragraph("yes", own=True)
+    assert closing == Paragraph("yes")
     assert isinstance(signature, Signature)
     assert signature.values[1] == "up"
     assert signature.fields[:2] == ("Hydrographe", "Entreprise")
@@ -224,14 +225,11 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
     assert document.cautions == ()
-    assert any("point décimal" in getattr(block, "text", "") for block in document.summary)
     once = document_of(replace(content, notes=("nobody translated this",)), {}, FRENCH)
     assert once.cautions[-1].startswith("1 texte de ce rapport est resté en anglais")
     twice = document_of(replace(content, notes=("one thing", "another thing")), {}, FRENCH)
     assert twice.cautions[-1].startswith("2 textes de ce rapport sont restés en anglais")
-    assert document_of(content, {}) == drawn(
-        in_english(content, {}), Translator(catalogue_of("en"))
-    )
+    assert document_of(content, {}) == drawn_document(undrawn_document(content, {}))
 
 
 def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> None:
@@ -245,12 +243,48 @@ def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> 
             continue
         for row, other in zip(block.rows, said.rows, strict=True):  # type: ignore[union-attr]
             for cell, told in zip(row, other, strict=True):
-                assert _numbers(told.replace("\u202f", ",")) == _numbers(cell)
+                assert _numbers(told, ",", "\u202f") == _numbers(cell, ".", ",")
 
 
-def _numbers(text: str) -> list[str]:
+def _numbers(text: str, decimal: str, group: str) -> list[str]:
     # A sigma is an écart-type in most places
-    return re.findall(r"[+\u2212\u00b1]?\d[\d,.]*\d|\d", re.sub("1[ \u00a0]sigma", "", text))
+    text = re.sub("1[ \u00a0]sigma", "", text)
+    found = re.findall(rf"[+\u2212\u00b1]?\d(?:[\d{decimal}{group}]*\d)?", text)
+    return [each.replace(group, "").replace(decimal, ".") for each in found]
+
+
+NUMBERS_OF_NAMES = re.compile(r"6\.1\.0|LISPAC \d+\.\d+\.\d+\w*|1980-\S+")
+
+
+@pytest.mark.parametrize("variant", ["as it is", "thesis", "parameters", "components"])
+def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, variant: str) -> None:
+    # Without notes of the import: they quote units as the files have them
+    content = replace(content_of_sample(VARIANTS[variant](project)), notes=())
+    with in_language("fr"):
+        document = undrawn_document(content, {}, FRENCH, translator(content, "fr"))
+        blocks = [*document.summary, *(b for section in document.sections for b in section.blocks)]
+        figures: list[Figure] = []
+        for block in blocks:
+            if isinstance(block, Drawing):
+                drawn = block.draw(*block.values)
+                figures += [drawn] if isinstance(drawn, Figure) else drawn
+        assert len(figures) > 4
+        shown = []
+        for figure in figures:
+            FigureCanvasAgg(figure).draw()
+            shown += [text.get_text() for text in figure.findobj(Text)]
+    texts = [*document.serious, *document.cautions]
+    for block in blocks:
+        if isinstance(block, Table):
+            texts += [cell for row in block.rows for cell in row]
+        elif isinstance(block, Bullets):
+            texts += block.items
+        elif isinstance(block, Paragraph):
+            texts.append(block.text)
+    left = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
+    assert [text for text in left if re.search(r"\d\.\d", text)] == []
+    assert [text for text in shown if re.search(r"-\d", text)] == []
+    assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10
 
 
 def test_names_that_are_words_stay(tmp_path: Path) -> None:
@@ -267,10 +301,10 @@ def test_names_that_are_words_stay(tmp_path: Path) -> None:
 def test_no_part_of_a_name_is_translated(tmp_path: Path, name: str, case: int) -> None:
     project = sample_project(tmp_path / "p", target=name)
     content = content_of_sample(CASES[case][2](project))
-    english = in_english(content, {})
-    say = Translator(catalogue_of("fr"), names_of(content))
+    english = undrawn_document(content, {})
+    say = translator(content, "fr")
     with in_language("fr"):
-        french = translated(in_english(content, {}, FRENCH, say), say)
+        french = undrawn_document(content, {}, FRENCH, say)
     before, after = (json.dumps(asdict(d), default=lambda _: "") for d in (english, french))
     assert after.count(name) == before.count(name)
     made_up = ("These lines do not see it.", "T1 is the only target")
@@ -297,11 +331,25 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     assert rows[0] == ["Ligne", "Fichier", "Cap (°)", "Points"]
     assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]
     assert "-carte-de-v1-" in " ".join(archive.namelist())
+    with zipfile.ZipFile(tmp_path / "r.zip") as archive:
+        angles = archive.read("02-angles-de-visee.csv").decode("utf-8-sig").splitlines()
+        (offsets,) = (n for n in archive.namelist() if "comparaison-des-plans" in n)
+        planes = archive.read(offsets).decode("utf-8-sig").splitlines()
+    for row in list(csv.reader(angles))[1:]:
+        assert all(re.fullmatch(r"[+-]?\d+\.\d{4}", number) for number in row[1:])
+    assert re.search(r"[+-]\d+\.\d \u00b1 \d+\.\d", planes[1])
 
 
-def test_names_of_makers_are_elided() -> None:
-    say = Translator(catalogue_of("fr"))
-    heads = [say(f"Convention of {each.name}") for each in SYSTEMS]
-    assert not say.unknown
-    assert not [head for head in heads if re.search(r"(?i)\bde [aeiouyéè]", head)]
-    assert sum("Convention d\u2019" in head for head in heads) == 2  # Applanix and OPALS
+def test_names_of_makers_need_no_elision(project: Project) -> None:
+    for each in SYSTEMS:
+        made = report_content(
+            project, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE,
+            convention=each.key,
+        )  # fmt: skip
+        content = replace(content_of_sample(project), in_convention=made.in_convention)
+        with in_language("fr"):
+            sections = undrawn_document(content, {}, FRENCH, translator(content, "fr")).sections
+        titles = [b.title for s in sections for b in s.blocks if b.kind == "table"]
+        (head,) = (title for title in titles if title.startswith("Convention\u00a0: "))
+        assert not re.search(r"(?i)\bde [aeiouyéè]", head)
+        assert each.name in head or "Phoenix" in head or "ce programme" in head

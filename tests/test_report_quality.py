@@ -80,11 +80,13 @@ def _settings(content: ReportContent) -> dict[str, str]:
 
 def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     said = _settings(sample_content(project))
-    assert said["POS errors"].startswith("correlated. All points of one sighting share")
-    assert said["Correlation times, position, attitude"].startswith("300 s, 600 s: how long")
-    assert said["Surface sigma"].startswith("0.4\u00a0mm, found from the data")
+    assert said["POS errors"].startswith("Correlated. All points of one sighting share")
+    assert said["Correlation times, position, attitude"].startswith(
+        "300 s, 600 s: duration of a POS error"
+    )
+    assert said["Surface sigma"].startswith("0.4\u00a0mm, estimated from the data")
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
-    assert said["LiDAR noise found"] == "not above the stated LiDAR noise on any target"
+    assert said["LiDAR noise found"] == "not above the given noise on any target"
     first, second = _result(project).targets
     noisy = changed(
         targets=(first, replace(second, noise=1.42)),
@@ -92,11 +94,11 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     )
     said = _settings(noisy)
     assert said["LiDAR noise found"].startswith(
-        "in the residuals 1.4\u00a0times (T2) the stated LiDAR noise; the sigmas"
+        "1.4\u00a0times (T2) the given noise, in the residuals; the sigmas"
     )
     assert "T1" not in said["LiDAR noise found"]
-    assert said["Surface sigma"].startswith("0.4\u00a0mm, as typed")
-    assert "beyond 4.7 standard deviations" in said["Stray points"]
+    assert said["Surface sigma"].startswith("0.4\u00a0mm, as given")
+    assert "beyond 4.7 standard deviations" in said["Outliers"]
     assert "adjustment.noise" not in {caution.code for caution in noisy.cautions}
     assert "T2" in _caution(
         changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise"
@@ -121,7 +123,7 @@ def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> No
         (sample_content(sample_project(tmp_path / "p", model="independent")), "selected"),
     ):
         facts = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
-        assert facts["Subsampling"].startswith(word)
+        assert facts["Point spacing"].startswith(word)
 
 
 def test_variance_components_with_their_intervals(changed: Changed) -> None:
@@ -131,7 +133,7 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
         Component("POS attitude", 1.3, 0.6, 2.9),
     )
     table = _tables(document_of(changed(components=found), {}))[
-        "Variance components: the sigmas by the data, over the stated ones"
+        "Variance components: estimated over given sigmas"
     ]
     assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "applied: smaller than stated")
     assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than stated")
@@ -140,9 +142,9 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
 
 def test_extra_parameters(project: Project, changed: Changed) -> None:
     document = document_of(sample_content(project), {})
-    row = _tables(document)["Estimated besides the boresight"].rows[0]
+    row = _tables(document)["Values estimated with the boresight"].rows[0]
     assert row == (
-        "Lever arm X", "\u22120.1856\u00a0m", "not stated", "\u22120.2017\u00a0m", "0.0048\u00a0m",
+        "Lever arm X", "\u22120.1856\u00a0m", "not given", "\u22120.2017\u00a0m", "0.0048\u00a0m",
         "\u22123.4", "significant",
     )  # fmt: skip
     first_page = [block.text for block in document.summary if isinstance(block, Paragraph)]
@@ -156,8 +158,8 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert "(scan-angle offset): These lines do not see it: so. Turn" in _caution(
         content, "report.parameter_not_seen"
     )
-    rows = _tables(document_of(content, {}))["Estimated besides the boresight"].rows
-    assert rows[1][-1] == "held"
+    rows = _tables(document_of(content, {}))["Values estimated with the boresight"].rows
+    assert rows[1][-1] == "kept as given"
     assert rows[2][2] == "2.00\u00a0ms"
 
 
@@ -178,7 +180,7 @@ def test_released_sighting_is_named_on_page_one(project: Project, changed: Chang
     assert "contradict it: T1 on line L1 (off by 48.3 mm, w +9.3)" in text
     assert "T1 on line L2" in _caution(content, "adjustment.sighting_disagrees")
     rows = _tables(document_of(content, {}))["Agreement of the sightings"].rows
-    assert [row[-1] for row in rows[:3]] == ["left out", "disagrees", "agrees"]
+    assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
 
 
 def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed: Changed) -> None:
@@ -187,7 +189,9 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
     row = _tables(document)["Agreement of the sightings"].rows[0]
     assert row[2:8] == ("\u2013",) * 6
     assert row[-1] == "not checked"
-    assert "No other data check T1 on line L1." in _words(document, "Reliability of the sightings")
+    assert "Checked by no other data: T1 on line L1." in _words(
+        document, "Reliability of the sightings"
+    )
 
 
 def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) -> None:
@@ -206,14 +210,14 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     checks = project.cross_checks
     assert checks is not None
     plain = _tables(document_of(sample_content(project), {}))
-    rows = plain["Answers of parts of the data, as differences from the whole"].rows
+    rows = plain["Results of parts of the data, as differences from the whole"].rows
     assert [row[0] for row in rows[-3:]] == [
         "Without target T1", "Without target T2", "First minus second half",
     ]  # fmt: skip
-    assert rows[-3][-1] == "no answer"
+    assert rows[-3][-1] == "no result"
     words = _words(document_of(sample_content(project), {}), "Cross-checks")
     assert "Without target T1: All targets left face the same way." in words
-    assert "The spread with one target left out needs three of them" in words
+    assert "The spread with one target left out needs at least three targets" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
@@ -247,7 +251,7 @@ def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
     )
     picked = sample_content(replace(project, targets=targets))
     shown = _tables(document_of(content, {}))[
-        "Fit of each target, all lines together, to one surface"
+        "Fit of each target to one surface, all lines together"
     ]
     assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
     shown = _tables(document_of(picked, {}))[
@@ -260,7 +264,9 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
     document = document_of(content, {})
-    assert "not tested by the model used" in _words(document, "Reliability of the sightings")
+    assert "Sightings are not tested: in this stochastic model" in _words(
+        document, "Reliability of the sightings"
+    )
     assert "Roll hangs on no line." in _words(document, "Boresight and its uncertainty")
     assert "No part of the data" in _words(document, "Cross-checks")
     data = json.loads(json_text(content))
@@ -274,7 +280,7 @@ def test_no_result_has_no_sections_on_checks(project: Project) -> None:
     content = sample_content(replace(project, result=None, cross_checks=None))
     titles = {section.title for section in document_of(content, {}).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
-    assert _settings(content)["Surface sigma"].startswith("to be found from the data")
+    assert _settings(content)["Surface sigma"].startswith("to be estimated from the data")
 
 
 def test_pos_error_figure_marks_what_lies_beyond_the_prior(

@@ -72,7 +72,7 @@ def test_two_surface_sigmas_are_told_where_there_are_two(sample: Sample, tmp_pat
         assert content.settings.offset_sigma_m == offset
         blocks = [block for s in document_of(content, {}).sections for block in s.blocks]
         cells = [cell for b in blocks if b.kind == "table" for row in b.rows for cell in row]
-        assert any(str(cell).startswith(f"{words}, found from the data") for cell in cells)
+        assert any(str(cell).startswith(f"{words}, estimated from the data") for cell in cells)
 
 
 def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:

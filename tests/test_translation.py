@@ -7,6 +7,7 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io import sbet
+from lispac.language import gettext, in_language
 from lispac.report.settings_used import CONVENTION
 from lispac.reverse_translation.catalogue import Catalogue, Template, catalogue_of, made, messages
 from lispac.reverse_translation.translation import Translator
@@ -201,7 +202,8 @@ def test_french_is_set_as_french_is() -> None:
 
 def test_signs_are_those_of_the_convention() -> None:
     say = Translator(FRENCH)
-    said = say(CONVENTION)
+    with in_language("fr"):
+        said = gettext(CONVENTION)
     for words in (
         "Repère local\u00a0: nord, ouest, haut",
         "avant, gauche (bâbord), haut",

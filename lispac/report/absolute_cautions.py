@@ -10,13 +10,13 @@ from lispac.validation.absolute_words import Off
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
 LARGE, TOO_LARGE = 2.0, 3.0
-"""RMS over the one expected from which it is a note, and from which a warning: what lines share
-makes an RMS scatter about as much as a single error does."""
+"""Ratios of the RMS to the expected one for a note and for a warning. Errors common to the lines
+make an RMS vary about as much as a single error."""
 VALIDATE = Cause.of_step("Validate")
 
 
 def absolute_cautions(found: Absolute | None) -> Iterator[Message]:
-    """The mean of all lines, single lines, surveyed points and planes, and the RMS, where off.
+    """Significant means of all lines, single lines, surveyed points and planes, and the RMS.
 
     Of many good lines some are off at 95 %. It is a warning where one is off by more than the
     largest of as many is in 95 of 100 checks.

@@ -4,44 +4,50 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from lispac.language import N_, gettext
 from lispac.report.absolute_values import Absolute
 from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
+from lispac.report.wording import grouped, signed
 from lispac.reverse_translation.translation import Say, unchanged
 
+_BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
+_AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 
-def absolute_figure(found: Absolute, say: Say = unchanged, figure: Figure | None = None) -> Figure:
+
+def absolute_figure(found: Absolute, _say: Say = unchanged, figure: Figure | None = None) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
     figure = blank(figure, (6.3, 2.5))
     axes = figure.subplots(gridspec_kw=USUAL)
     edges = 1000 * np.asarray(found.bin_edges_m)
-    told: list[str] = []
-    for state, colour, counts, each in (
-        ("before", BEFORE, found.counts_before, found.together.before),
-        ("after", AFTER, found.counts_after, found.together.after),
+    legend: list[str] = []
+    for template, colour, counts, each in (
+        (_BEFORE, BEFORE, found.counts_before, found.together.before),
+        (_AFTER, AFTER, found.counts_after, found.together.after),
     ):
         values = np.asarray(counts)
-        words = (
-            f"{state}: n {each.distances.n:,}\nmedian {1000 * each.signed.median_m:+.1f}, "
-            f"RMS {1000 * each.distances.rms_m:.1f}, 95 % {1000 * each.distances.p95_m:.1f} mm"
-        ).replace("-", "\u2212")
-        told.append(say(words))
-        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=told[-1])
+        legend.append(
+            gettext(
+                template,
+                count=each.distances.n, median=signed(1000 * each.signed.median_m, 1),
+                rms=each.distances.rms_m, p95=each.distances.p95_m,
+            )
+        )  # fmt: skip
+        axes.stairs(values, edges, fill=True, color=colour, alpha=0.5, label=legend[-1])
         axes.stairs(values, edges, color=colour, linewidth=1.0)
     axes.set_xlim(edges[0], edges[-1])
-    dress(
-        axes,
-        say(
-            "Distance from the reference (mm), positive towards the vessel; the end bins hold all "
-            "beyond"
-        ),
-        say("Places"),
+    across = gettext(
+        "Distance from the reference (mm), positive towards the vessel; the end bins hold all "
+        "larger ones"
     )
+    dress(axes, across, gettext("Places"))
     axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))
-    axes.yaxis.set_major_formatter(lambda value, _: say(f"{value:,.0f}"))
-    title = f"{short_name(found.reference)}, {say('all lines, along the normal')}"
+    axes.yaxis.set_major_formatter(lambda value, _: grouped(value))
+    title = gettext(
+        "{reference}, all lines, along the normal", reference=short_name(found.reference)
+    )
     axes.set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
     highest = np.maximum(found.counts_before, found.counts_after).astype(np.float64)
-    axes.set_ylim(0.0, top_below_legend(axes, edges, highest, told, TEXT))
+    axes.set_ylim(0.0, top_below_legend(axes, edges, highest, legend, TEXT))
     axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
     return figure

@@ -1,4 +1,4 @@
-"""The values of a report that come from the comparison with a reference."""
+"""Values of a report from the comparison with a reference."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from lispac.validation.absolute_words import absolute_words
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """Standard deviations by their source; of the prior boresight none is known."""
+    """Standard deviations by source; that of the prior boresight is unknown."""
 
     reference_m: float
     pos_position_m: float
@@ -80,7 +80,7 @@ class SurveyedPoint:
 
     @property
     def significant(self) -> bool:
-        """Whether the lines are off it at 95 %; not where nobody knows."""
+        """Whether the lines differ from it at 95 %; not where the interval is unknown."""
         half = self.after_interval95_m
         return half is not None and abs(self.after_m) > half
 

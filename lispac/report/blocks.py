@@ -1,4 +1,4 @@
-"""What a report is set from: sections of paragraphs, lists, tables and pictures, all text."""
+"""Parts of a report: sections with paragraphs, lists, tables and pictures."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -11,10 +11,9 @@ Status = Literal["bad", "fair", "good"]
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Running text; the user's ``own`` stays as it is in every language."""
+    """Running text."""
 
     text: str
-    own: bool = False
     kind: str = "paragraph"
 
 
@@ -28,7 +27,7 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Column:
-    """Head and looks of a column; a ``wide`` one holds running text."""
+    """Title and alignment of a column; a ``wide`` one holds running text."""
 
     title: str
     align: Literal["left", "right"] = "right"
@@ -40,8 +39,8 @@ class Column:
 class Table:
     """Rows of text, one cell a column.
 
-    A ``form`` has names and what is to be said of them, two beside each other; where nothing is
-    said, there is a line to be filled in by hand.
+    A ``form`` has names and values, two beside each other; where there is no value, there is a line
+    to be filled in by hand.
     """
 
     title: str
@@ -56,14 +55,14 @@ def rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
     return tuple(tuple(row) for row in cells)
 
 
-def facts(title: str, said: Iterable[tuple[str, str]]) -> Table:
-    """A table of names and what is to be said of each, without heads."""
-    return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(said))
+def facts(title: str, values: Iterable[tuple[str, str]]) -> Table:
+    """A table of names and values without titles of columns."""
+    return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(values))
 
 
-def form(title: str, said: Iterable[tuple[str, str]]) -> Table:
-    """Names and what is to be said of each, with lines to fill in by hand where it is blank."""
-    return replace(facts(title, said), form=True)
+def form(title: str, values: Iterable[tuple[str, str]]) -> Table:
+    """Names and values, with lines to fill in by hand where a value is blank."""
+    return replace(facts(title, values), form=True)
 
 
 @dataclass(frozen=True)
@@ -87,7 +86,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class Signature:
-    """Lines to be filled in by hand, but for those whose ``values`` are known already."""
+    """Lines to be filled in by hand, except those whose ``values`` are known already."""
 
     fields: tuple[str, ...]
     values: tuple[str, ...]
@@ -96,7 +95,7 @@ class Signature:
 
 @dataclass(frozen=True)
 class Drawing:
-    """Pictures still to be drawn: what ``draw`` makes of ``values``, in the report's language.
+    """Pictures still to be drawn: what ``draw`` makes of ``values`` in the language in use.
 
     Attributes
     ----------
@@ -115,7 +114,7 @@ Block = Paragraph | Bullets | Table | Picture | Drawing | Signature
 
 @dataclass(frozen=True)
 class Furniture:
-    """What stands on every page, and heads that belong to no section."""
+    """Texts on every page, and titles that belong to no section."""
 
     made: str = "Made {when} by {program}"
     page: str = "Page {page} of {pages}"
@@ -134,7 +133,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Letterhead:
-    """What a company wants on page one: logo and name above the title, a text below it."""
+    """Letterhead of a company on page one: logo and name above the title, a text below it."""
 
     logo: Picture | None = None
     company: str = ""

@@ -1,26 +1,46 @@
-"""The section on the boresight: its fit, what was estimated with it, and what the lines see."""
+"""The section on the boresight: fit, other estimated values, observability, displacements."""
 
 from lispac.adjustment.parameters import SIGNIFICANT
+from lispac.language import N_, Plural, gettext
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, facts, rows
 from lispac.report.budget_section import budget_blocks
 from lispac.report.values import Adjustment, ExtraParameter, ReportContent, Seen
 from lispac.report.wording import (
     UNKNOWN,
-    count,
+    cm,
+    degrees_unit,
+    fixed,
+    grouped,
+    in_unit,
     known,
-    mm,
-    parameter,
     quantity,
+    shortest,
     signed,
     title,
 )
 
+VARIANCE_FACTOR = N_("{factor}, from the given sigmas")
+VARIANCE_FACTOR_COMPONENTS = N_(
+    "{factor}, from the given sigmas times the variance components applied"
+)
+VARIANCE_FACTOR_BEFORE_NOISE = N_(
+    "{factor}, from the given sigmas, before the LiDAR noise found in the residuals was applied"
+)
+VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE = N_(
+    "{factor}, from the given sigmas times the variance components applied, before the LiDAR noise "
+    "found in the residuals was applied"
+)
+OUTLIERS_LEFT_OUT = Plural(
+    "{points:n}; {count:n} outlier was kept out of the averages",
+    "{points:n}; {count:n} outliers were kept out of the averages",
+)
+
 
 def boresight(content: ReportContent) -> list[Block]:
-    """What was estimated, and how well it fits."""
+    """Estimated values and their fit."""
     adjustment = content.adjustment
     if adjustment is None:
-        return [Paragraph("No boresight has been estimated yet.")]
+        return [Paragraph(gettext("No boresight has been estimated yet."))]
     blocks: list[Block] = [_fit(content, adjustment)]
     if adjustment.parameters:
         blocks += _parameters(adjustment)
@@ -35,43 +55,57 @@ def boresight(content: ReportContent) -> list[Block]:
 
 def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
     test = adjustment.chi_square
-    bounds = (
-        f", bounds {test.lower:,.1f} to {test.upper:,.1f}"
-        if test.lower is not None and test.upper is not None
-        else ""
-    )
-    stated = "from the stated sigmas"
-    if any(component.applied for component in adjustment.components):
-        stated += " times the variance components applied"
-    if content.settings.pos_errors == "correlated":
-        stated += ", before any noise was taken from the residuals"
+    statistic = grouped(test.statistic, 1)
+    if test.lower is None or test.upper is None:
+        statistic = gettext("statistic {statistic}", statistic=statistic)
+    else:
+        statistic = gettext(
+            "statistic {statistic}, bounds {lower} to {upper}",
+            statistic=statistic, lower=grouped(test.lower, 1), upper=grouped(test.upper, 1),
+        )  # fmt: skip
     return facts(
-        "Fit",
+        gettext("Fit"),
         [
-            ("Points", _points(adjustment)),
-            ("Iterations", str(adjustment.iterations)),
-            ("Degrees of freedom", f"{adjustment.degrees_of_freedom:,}"),
-            ("Variance factor", known(adjustment.variance_factor, lambda v: f"{v:.4f}, {stated}")),
-            ("Chi-square test at 95 %", f"statistic {test.statistic:,.1f}{bounds}"),
-            ("", test.in_words),
-            ("RMS before", f"{mm(adjustment.rms_before_m)} mm"),
-            ("RMS after", f"{mm(adjustment.rms_after_m)} mm; POS errors not removed"),
-            ("Model of the POS errors", content.settings.pos_errors_in_words),
+            (gettext("Points"), _points(adjustment)),
+            (gettext("Iterations"), fixed(adjustment.iterations, 0)),
+            (gettext("Degrees of freedom"), grouped(adjustment.degrees_of_freedom)),
+            (gettext("Variance factor"), _variance_factor(content, adjustment)),
+            (gettext("Chi-square test at 95 %"), statistic),
+            ("", gettext(test.in_words)),
+            (gettext("RMS before"), gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m)),
+            (
+                gettext("RMS after"),
+                gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
+            ),
+            (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_in_words)),
         ],
     )
 
 
+def _variance_factor(content: ReportContent, adjustment: Adjustment) -> str:
+    if adjustment.variance_factor is None:
+        return UNKNOWN
+    applied = any(component.applied for component in adjustment.components)
+    if content.settings.pos_errors == "correlated":
+        template = (
+            VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE if applied else VARIANCE_FACTOR_BEFORE_NOISE
+        )
+    else:
+        template = VARIANCE_FACTOR_COMPONENTS if applied else VARIANCE_FACTOR
+    return gettext(template, factor=fixed(adjustment.variance_factor, 4))
+
+
 def _parameters(adjustment: Adjustment) -> list[Block]:
     table = Table(
-        "Estimated besides the boresight",
+        gettext("Values estimated with the boresight"),
         (
-            Column("Value", "left"),
-            Column("Prior"),
-            Column("Prior\n1 sigma"),
-            Column("Estimated"),
-            Column("1 sigma"),
-            Column("Change over\nits sigma"),
-            Column("Finding", "left"),
+            Column(gettext("Value"), "left"),
+            Column(gettext("Prior")),
+            Column(gettext("Prior\n1 sigma")),
+            Column(gettext("Estimated")),
+            Column(gettext("1 sigma")),
+            Column(gettext("Change over\nits sigma")),
+            Column(gettext("Finding"), "left"),
         ),
         rows(_parameter_row(p) for p in adjustment.parameters),
     )
@@ -82,9 +116,12 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
     if any(p.value is not None for p in adjustment.parameters):
         blocks.append(
             Paragraph(
-                f"A change earns its place where it exceeds {SIGNIFICANT} of its sigmas, which "
-                "chance does one time in twenty. The boresight of this report goes with the "
-                "estimated values; with the prior ones it would be another."
+                gettext(
+                    "A change is significant where it is more than {limit} times its sigma; chance "
+                    "exceeds that once in twenty times. The boresight of this report holds with "
+                    "the estimated values only, not with the prior ones.",
+                    limit=shortest(SIGNIFICANT),
+                )
             )
         )
     return blocks
@@ -94,30 +131,36 @@ def _parameter_row(found: ExtraParameter) -> list[str]:
     def shown(value: float | None, *, sign: bool) -> str:
         return known(value, lambda v: quantity(found.name, v, sign=sign))
 
-    finding = "held" if found.prior_sigma is None else "not seen"
-    if found.value is not None and found.significant is None:
-        finding = "not tested (uncorrelated POS errors)"
-    elif found.significant is not None:
-        finding = "significant" if found.significant else "not significant"
+    no_prior = found.prior_sigma is None
     return [
-        title(parameter(found.name)),
+        title(found.name),
         shown(found.prior, sign=True),
-        "not stated" if found.prior_sigma is None else shown(found.prior_sigma, sign=False),
+        gettext("not given") if no_prior else shown(found.prior_sigma, sign=False),
         shown(found.value, sign=True),
         shown(found.sigma, sign=False),
         known(found.significance, lambda v: signed(v, 1)),
-        finding,
+        _finding(found),
     ]
 
 
+def _finding(found: ExtraParameter) -> str:
+    if found.significant is not None:
+        return gettext("significant") if found.significant else gettext("not significant")
+    if found.value is not None:
+        return gettext("not tested (uncorrelated POS errors)")
+    if found.prior_sigma is None:
+        return gettext("kept as given")
+    return gettext("not determined")
+
+
 def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]:
-    names = [angle.name for angle in content.angles]
+    names = [title(angle.name) for angle in content.angles]
     blocks: list[Block] = [
         Table(
-            "Correlations",
-            (Column("", "left"), *(Column(name.capitalize()) for name in names)),
+            gettext("Correlations"),
+            (Column("", "left"), *map(Column, names)),
             rows(
-                [name.capitalize(), *(signed(value, 3) for value in row)]
+                [name, *(signed(value, 3) for value in row)]
                 for name, row in zip(names, adjustment.correlation, strict=True)
             ),
         )
@@ -125,60 +168,62 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
     if len(adjustment.estimated) > len(names):
         from lispac.report.figures import correlation_figure_of
 
-        caption = "Correlations of all estimated values."
+        caption = gettext("Correlations of all estimated values.")
         values = (adjustment.estimated, adjustment.correlation_all)
         blocks.append(Drawing(caption, correlation_figure_of, values, width=0.55))
     return blocks
 
 
 def _observability(content: ReportContent, found: Seen) -> list[Block]:
+    condition = gettext(
+        "Condition number of the normal matrix of the angles: {number} (1 if all directions have "
+        "the same sigma).",
+        number=known(found.condition, lambda v: grouped(v, 1)),
+    )
     blocks: list[Block] = [
-        Paragraph("What the lines see:"),
-        Bullets(
-            (
-                *found.in_words,
-                "Condition number of the angles' normal matrix: "
-                f"{known(found.condition, lambda v: f'{v:,.1f}')} (1 would mean that all "
-                "directions are known alike).",
-            )
-        ),
+        Paragraph(gettext("How well the lines determine the angles:")),
+        Bullets((*found.in_words, condition)),
     ]
     if found.sigma_without_line_deg:
+        deg = degrees_unit()
         columns = (
             Column("", "left"),
-            *(Column(f"{angle.name.capitalize()}\n(deg)") for angle in content.angles),
+            *(Column(in_unit(title(angle.name), deg)) for angle in content.angles),
         )
-        all_lines = [known(angle.sigma_deg, lambda v: f"{v:.4f}") for angle in content.angles]
+        all_lines = [known(angle.sigma_deg, lambda v: fixed(v, 4)) for angle in content.angles]
         without = [
-            [f"Without {line}", *([UNKNOWN] * 3 if sigma is None else [f"{v:.4f}" for v in sigma])]
+            [
+                gettext("Without line {name}", name=line),
+                *([UNKNOWN] * 3 if sigma is None else [fixed(v, 4) for v in sigma]),
+            ]
             for line, sigma in found.sigma_without_line_deg.items()
         ]
-        head = "1 sigma of the angles with one line omitted"
-        blocks.append(Table(head, columns, rows([["All lines", *all_lines], *without])))
+        cells = rows([[gettext("All lines"), *all_lines], *without])
+        blocks.append(Table(gettext("1 sigma of the angles with one line omitted"), columns, cells))
     return blocks
 
 
 def _effects(adjustment: Adjustment) -> Table:
     return Table(
-        "Displacement of a point by 1 sigma of the boresight (cm)",
+        gettext("Displacement of a point by 1 sigma of the boresight (cm)"),
         (
-            Column("Angle", "left"),
-            *(Column(f"at {distance:.0f} m") for distance in adjustment.effect_distances_m),
+            Column(gettext("Angle"), "left"),
+            *(
+                Column(gettext("at {distance:m.0} m", distance=distance))
+                for distance in adjustment.effect_distances_m
+            ),
         ),
-        rows(
-            [_effect_name(e.angle), *(f"{100 * value:.2f}" for value in e.displacement_m)]
-            for e in adjustment.effects
-        ),
+        rows([_effect_name(e.angle), *map(cm, e.displacement_m)] for e in adjustment.effects),
     )
 
 
 def _points(adjustment: Adjustment) -> str:
     if not adjustment.left_out:
-        return f"{adjustment.points:,}"
-    out = count(adjustment.left_out, "stray point")
-    return f"{adjustment.points:,}; {out} stood out from the surface and were kept out of averages"
+        return grouped(adjustment.points)
+    return gettext(OUTLIERS_LEFT_OUT, points=adjustment.points, count=adjustment.left_out)
 
 
 def _effect_name(angle: str) -> str:
-    together = "All three together, in the direction where they show most"
-    return together if angle == "worst direction" else angle.capitalize()
+    if angle == "worst direction":
+        return gettext("All three together, in the worst direction")
+    return title(angle)

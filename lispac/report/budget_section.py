@@ -1,27 +1,30 @@
 """The tables of the error budget of a point at a distance."""
 
+from lispac.language import gettext
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, rows
 from lispac.report.budget_values import BeamErrors, Budget, ErrorSource
-from lispac.report.wording import UNKNOWN
+from lispac.report.wording import UNKNOWN, cm, shortest
 
 
 def budget_blocks(found: Budget) -> list[Block]:
-    """A table for each direction of the beam, and what they rest on."""
+    """A table for each direction of the beam, and the assumptions."""
     blocks: list[Block] = [_table(found, beam) for beam in found.beams]
-    return [*blocks, Paragraph("What the error budget rests on:"), Bullets(found.in_words)]
+    return [
+        *blocks,
+        Paragraph(gettext("Assumptions of the error budget:")),
+        Bullets(found.in_words),
+    ]
 
 
 def _table(found: Budget, beam: BeamErrors) -> Table:
+    components = (gettext("Horizontal"), gettext("Vertical"), gettext("Across"))
+    distances = [gettext("at {distance} m", distance=shortest(d)) for d in found.distances_m]
     columns = (
-        Column("Source", "left"),
-        *(
-            Column(f"{name}\nat {distance:g} m")
-            for distance in found.distances_m
-            for name in ("Horizontal", "Vertical", "Across")
-        ),
+        Column(gettext("Source"), "left"),
+        *(Column(f"{name}\n{distance}") for distance in distances for name in components),
     )
     return Table(
-        f"Error of a point, 1 sigma, beam {beam.beam} (cm)",
+        gettext("Error of a point, 1 sigma, beam {beam} (cm)", beam=beam.beam),
         columns,
         rows(
             [each.source, *_cells(each, len(found.distances_m))]
@@ -34,7 +37,7 @@ def _cells(each: ErrorSource, distances: int) -> list[str]:
     if each.at_distance is None:
         return [UNKNOWN] * (3 * distances)
     return [
-        f"{100 * value:.2f}"
-        for e in each.at_distance
-        for value in (e.horizontal_m, e.vertical_m, e.across_beam_m)
+        cm(value)
+        for error in each.at_distance
+        for value in (error.horizontal_m, error.vertical_m, error.across_beam_m)
     ]

@@ -1,7 +1,7 @@
 """Warnings on the first page of a report, before the figures.
 
-Warnings about the result are those of the window and the command line. The rules here look at the
-content only, so that a report and a test see the same. One rule a function.
+Warnings about the result are those of the window and the command line. The rules here use the
+content only. There is one function for each rule.
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,11 +24,11 @@ DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Va
 LARGER_RESIDUALS = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
 }  # fmt: skip
-"""Codes beside which residuals that are small on average give no all-clear."""
+"""Codes of larger residuals; with one of them, a small chi-square is not reported."""
 
 
 def cautions_of(content: ReportContent, doubts: Sequence[Message]) -> tuple[Message, ...]:
-    """All warnings, then notes: about the result, and the report's own.
+    """All warnings, then notes: about the result, and those of the report only.
 
     Parameters
     ----------
@@ -168,7 +168,7 @@ def _plane(plane: PickedPlane, total: int) -> Iterator[Message]:
 
 
 def _not_found(content: ReportContent) -> Iterator[Message]:
-    """Planes that are missing on the same lines in one message."""
+    """One message for all planes that are missing on the same lines."""
     together: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     for plane in content.planes:
         if plane.used and plane.missing:
@@ -181,7 +181,7 @@ def _not_found(content: ReportContent) -> Iterator[Message]:
 
 
 def _sightings(content: ReportContent) -> Iterator[Message]:
-    """How many that are used are not good, and the worst; of targets rather than of others."""
+    """Number of used sightings that are not good, and the worst; targets come first."""
     target = {plane.name: plane.role == "target" for plane in content.planes}
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
     judged = [each for each in content.qualities if (each.target, each.line) in used]
@@ -219,7 +219,7 @@ def _validation(content: ReportContent) -> Iterator[Message]:
 
 
 def _methods(content: ReportContent) -> Iterator[Message]:
-    """Of the first sentences one is on each method but the first."""
+    """Methods that differ; the first sentences are on each method except the first."""
     for each, words in zip(content.methods[1:], content.methods_in_words, strict=False):
         if each.differ:
             yield note("report.methods_differ", reason=words, subject=ADJUST)

@@ -1,8 +1,9 @@
-"""The sections on reliability and cross-checks: whether the data agree with themselves."""
+"""The sections on reliability and cross-checks: whether the data agree with each other."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from lispac.adjustment.shown import SPREAD_LINES, SPREAD_TARGETS
+from lispac.adjustment.reliability import CRITICAL
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.values import (
     Adjustment,
@@ -11,7 +12,54 @@ from lispac.report.values import (
     ReportContent,
     SightingCheck,
 )
-from lispac.report.wording import UNKNOWN, angle, known, listed, mm, named_parts, signed
+from lispac.report.wording import (
+    UNKNOWN,
+    angle,
+    degrees_unit,
+    fixed,
+    grouped,
+    in_unit,
+    known,
+    mm,
+    named_parts,
+    signed,
+    title,
+)
+
+STANDINGS: Mapping[str, str] = {
+    "left out": N_("rejected"),
+    "not checked": N_("not checked"),
+    "disagrees": N_("disagrees"),
+    "agrees": N_("agrees"),
+}
+"""Result of the test of a sighting, by what the content calls it."""
+
+SIGHTING_TEST = N_(
+    "Each sighting is compared with the result of all others. Shift: its distance along the normal "
+    "of the surface. w: the shift over its sigma; beyond {limit} the sighting disagrees (1 % "
+    "probability that any of {count:n} does so without a blunder). Detectable: the smallest shift "
+    "that the test finds with 80 % probability. Effect: change of the angles by a shift of that "
+    "size that is not found."
+)
+POINT_TEST = N_(
+    "Single points are tested likewise. Redundancy: how far the other data check each point, from "
+    "0 (not at all) to 1. Outliers: points beyond {limit} of their sigmas, which one in a thousand "
+    "exceeds by chance. Largest w: distance over its sigma of the farthest point, with its time in "
+    "the line; averaged points have the mean of their times."
+)
+POS_ERRORS = N_(
+    "Estimated POS error of each sighting with its 2 sigma (bar); grey: the prior 2 sigma. Errors "
+    "beyond the grey are red: the POS was worse than given, or another error was attributed to it."
+)
+CROSS_CHECKS = N_(
+    "The adjustment is repeated without each line, without each target, and with each half of the "
+    "lines in the order of the survey. The spread is the 1 sigma of the angles from the results "
+    "without one line, or without one target (jackknife). It does not depend on the given sigmas."
+)
+PARTS = N_(
+    "Over its sigma: the difference over its expected standard deviation. Beyond 3, the part "
+    "disagrees with the whole, or one half with the other, by more than chance explains."
+)
 
 
 def reliability(content: ReportContent) -> list[Block]:
@@ -20,49 +68,39 @@ def reliability(content: ReportContent) -> list[Block]:
     if adjustment is None:
         return []
     if not adjustment.reliability or adjustment.critical_w is None:
-        thesis = content.settings.pos_errors == "independent"
-        why = (
-            "that has no error in common to a sighting's points"
-            if thesis
-            else "with the surface sigma held at zero"
-        )
-        return [Paragraph(f"Sightings are not tested by the model used here, {why}.")]
+        if content.settings.pos_errors == "independent":
+            untested = gettext(
+                "Sightings are not tested: in this stochastic model the points of a sighting have "
+                "no error in common."
+            )
+        else:
+            untested = gettext("Sightings are not tested: the surface sigma was set to zero.")
+        return [Paragraph(untested)]
     found = adjustment.reliability
     return [
-        Paragraph(
-            "Each sighting is compared with what all others say of it. Shift: how far it lies off "
-            "along the surface's normal. w: the shift over its sigma; beyond "
-            f"{adjustment.critical_w:.2f} the sighting disagrees (1 % chance that any of "
-            f"{len(found)} does so without a fault). Detectable: the smallest shift that the test "
-            "finds 4 times in 5. Effect: what a shift of that size, not found, does to the angles."
-        ),
+        Paragraph(gettext(SIGHTING_TEST, limit=fixed(adjustment.critical_w, 2), count=len(found))),
         _test_table(found),
-        *_told(found),
-        Paragraph(
-            "Single points are tested alike. Redundancy: how far the other data check each point, "
-            "from 0 (not at all) to 1. Strays: points farther off than 3.29 of their sigmas, which "
-            "one in a thousand exceeds by chance. Largest w: that of the point farthest off, by "
-            "its sigma, and the time by which it is found in the line; averaged points have the "
-            "mean of their times."
-        ),
+        *_remarks(found),
+        Paragraph(gettext(POINT_TEST, limit=fixed(CRITICAL, 2))),
         _point_table(found),
         *_pos_errors(adjustment),
     ]
 
 
 def _test_table(found: Sequence[SightingCheck]) -> Table:
+    deg = degrees_unit()
     return Table(
-        "Agreement of the sightings",
+        gettext("Agreement of the sightings"),
         (
-            Column("Target", "left"),
-            Column("Line", "left"),
-            Column("Shift\n(mm)"),
+            Column(gettext("Target"), "left"),
+            Column(gettext("Line"), "left"),
+            Column(in_unit(gettext("Shift"), "mm")),
             Column("w"),
-            Column("Detectable\n(mm)"),
-            Column("Effect, roll\n(deg)"),
-            Column("Pitch\n(deg)"),
-            Column("Yaw\n(deg)"),
-            Column("Finding", "left"),
+            Column(in_unit(gettext("Detectable"), "mm")),
+            Column(in_unit(gettext("Effect, roll"), deg)),
+            Column(in_unit(gettext("Pitch"), deg)),
+            Column(in_unit(gettext("Yaw"), deg)),
+            Column(gettext("Finding"), "left"),
         ),
         rows(
             [
@@ -72,7 +110,7 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
                 known(s.w, lambda v: signed(v, 1)),
                 known(s.detectable_m, mm),
                 *([UNKNOWN] * 3 if s.effect_deg is None else [angle(v) for v in s.effect_deg]),
-                s.in_words,
+                gettext(STANDINGS[s.in_words]),
             ]
             for s in found
         ),
@@ -81,53 +119,58 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
 
 def _point_table(found: Sequence[SightingCheck]) -> Table:
     return Table(
-        "Tests of single points",
+        gettext("Tests of single points"),
         (
-            Column("Target", "left"),
-            Column("Line", "left"),
-            Column("Points"),
-            Column("Redundancy"),
-            Column("Outliers"),
-            Column("Largest w"),
-            Column("Its time (s)"),
+            Column(gettext("Target"), "left"),
+            Column(gettext("Line"), "left"),
+            Column(gettext("Points")),
+            Column(gettext("Redundancy")),
+            Column(gettext("Outliers")),
+            Column(gettext("Largest w")),
+            Column(gettext("Its time (s)")),
         ),
         rows(
             [
                 s.target,
                 s.line,
-                f"{s.points:,}",
-                f"{s.redundancy:.2f}",
-                str(s.strays),
-                f"{s.largest_w:.1f}",
-                known(s.largest_w_time_s, lambda v: f"{v:.3f}"),
+                grouped(s.points),
+                fixed(s.redundancy, 2),
+                fixed(s.strays, 0),
+                fixed(s.largest_w, 1),
+                known(s.largest_w_time_s, lambda v: fixed(v, 3)),
             ]
             for s in found
         ),
     )
 
 
-def _told(found: Sequence[SightingCheck]) -> list[Block]:
-    said = []
+def _remarks(found: Sequence[SightingCheck]) -> list[Block]:
+    remarks = []
     for sighting in found:
-        where = f"{sighting.target} on line {sighting.line}"
         if sighting.released:
-            said.append(
-                f"{where} lies off what all others say; it is left out: the answer would be the "
-                "same without it."
+            template = N_(
+                "{target} on line {line} disagrees with all other sightings and was rejected: the "
+                "result is the same without it."
             )
         elif sighting.in_words == "disagrees":
-            said.append(
-                f"{where} disagrees but takes part: with too few other sightings of the target, "
-                "or without a loss, none is left out."
+            template = N_(
+                "{target} on line {line} disagrees but was not rejected: the target has too few "
+                "other sightings, or no loss function is used."
             )
-    unchecked = [f"{s.target} on line {s.line}" for s in found if s.in_words == "not checked"]
+        else:
+            continue
+        remarks.append(gettext(template, target=sighting.target, line=sighting.line))
+    unchecked = [
+        gettext("{target} on line {line}", target=s.target, line=s.line)
+        for s in found
+        if s.in_words == "not checked"
+    ]
     if unchecked:
-        said.append(f"No other data check {listed(unchecked)}.")
-    return [Bullets(tuple(said))] if said else []
+        remarks.append(gettext("Checked by no other data: {sightings:names}.", sightings=unchecked))
+    return [Bullets(tuple(remarks))] if remarks else []
 
 
 def _pos_errors(adjustment: Adjustment) -> list[Block]:
-    # Rounded first, plus zero: no minus sign before a zero
     from lispac.report.figures import POS_COMPONENTS, pos_error_figures_of
 
     found = adjustment.reliability
@@ -138,20 +181,22 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
 
     prior = [
         *(mm(mean([s.pos_sigma_m[k] for s in found])) for k in range(3)),
-        *(f"{mean([s.pos_sigma_deg[k] for s in found]):.4f}" for k in range(3)),
+        *(fixed(mean([s.pos_sigma_deg[k] for s in found]), 4) for k in range(3)),
     ]
+    deg = degrees_unit()
     table = Table(
-        "Estimated POS error in the middle of each sighting",
+        gettext("Estimated POS error in the middle of each sighting"),
         (
-            Column("Target", "left"),
-            Column("Line", "left"),
+            Column(gettext("Target"), "left"),
+            Column(gettext("Line"), "left"),
             *(
-                Column(f"{name}\n({'mm' if k < 3 else 'deg'})")
+                Column(in_unit(gettext(name), "mm" if k < 3 else deg))
                 for k, name in enumerate(POS_COMPONENTS)
             ),
         ),
         rows(
             [
+                # Rounded first, plus zero: no minus sign before a zero
                 *(
                     [
                         s.target,
@@ -161,87 +206,80 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
                     ]
                     for s in found
                 ),
-                ["Given 1 σ", "mean", *prior],
+                [gettext("Given 1 σ"), gettext("mean"), *prior],
             ]
         ),
     )
-    caption = (
-        "Estimated POS error of each sighting with its 2 sigma (bar); grey: the prior 2 sigma. "
-        "Errors beyond the grey are red: the POS was worse than stated, or something else is taken "
-        "for its error."
-    )
-    return [table, Drawing(caption, pos_error_figures_of, (found,))]
+    return [table, Drawing(gettext(POS_ERRORS), pos_error_figures_of, (found,))]
 
 
 def cross_checks(content: ReportContent) -> list[Block]:
-    """What parts of the data say by themselves."""
+    """Results of parts of the data."""
     if content.adjustment is None:
         return []
     checks = content.cross_checks
     if checks is None:
-        return [Paragraph("No part of the data has been adjusted by itself.")]
-    blocks: list[Block] = [
-        Paragraph(
-            "The adjustment is repeated without each line, without each target, and with each half "
-            "of the lines in the order they were sailed. The spread is the 1 sigma of the angles "
-            "that the answers without one line, or one target, give by themselves (jackknife); it "
-            "relies on no stated sigma."
-        ),
-        _spread_table(content, checks),
-    ]
-    absent = [
-        what
-        for what, spread in (
-            ("one line", checks.spread_lines_deg), ("one target", checks.spread_targets_deg)
-        )
-        if spread is None
-    ]  # fmt: skip
-    if absent:
+        return [Paragraph(gettext("No part of the data was adjusted separately."))]
+    blocks: list[Block] = [Paragraph(gettext(CROSS_CHECKS)), _spread_table(content, checks)]
+    if checks.spread_lines_deg is None:
         blocks.append(
             Paragraph(
-                f"The spread with {' or '.join(absent)} left out needs three of them, and an "
-                "answer without each."
+                gettext(
+                    "The spread with one line left out needs at least three lines, and a result "
+                    "without each of them."
+                )
+            )
+        )
+    if checks.spread_targets_deg is None:
+        blocks.append(
+            Paragraph(
+                gettext(
+                    "The spread with one target left out needs at least three targets, and a "
+                    "result without each of them."
+                )
             )
         )
     blocks += [
         _parts_table(content, checks),
-        Paragraph(
-            "Over its sigma: the difference over the standard deviation it should have. Beyond 3 "
-            "the part disagrees with the whole, or one half with the other, by more than chance "
-            "explains."
-        ),
+        Paragraph(gettext(PARTS)),
     ]
-    reasons = tuple(f"{name}: {part.reason}" for name, part in named_parts(checks) if part.reason)
+    reasons = tuple(
+        gettext("{name}: {reason}", name=name, reason=part.reason)
+        for name, part in named_parts(checks)
+        if part.reason
+    )
     if reasons:
-        blocks += [Paragraph("Without an answer:"), Bullets(reasons)]
+        blocks += [Paragraph(gettext("Without a result:")), Bullets(reasons)]
     return blocks
 
 
 def _spread_table(content: ReportContent, checks: CrossChecked) -> Table:
     spreads = (
-        ("Formal", checks.sigma_deg),
-        (SPREAD_LINES, checks.spread_lines_deg),
-        (SPREAD_TARGETS, checks.spread_targets_deg),
+        (gettext("Formal"), checks.sigma_deg),
+        (gettext("Spread, one line left out"), checks.spread_lines_deg),
+        (gettext("Spread, one target left out"), checks.spread_targets_deg),
     )
+    deg = degrees_unit()
     return Table(
-        "1 sigma of the angles, formal and by the spread of the parts",
-        (Column("", "left"), *(Column(f"{a.name.capitalize()}\n(deg)") for a in content.angles)),
+        gettext("1 sigma of the angles, formal and from the spread of the parts"),
+        (Column("", "left"), *(Column(in_unit(title(a.name), deg)) for a in content.angles)),
         rows(
-            [name, *([UNKNOWN] * 3 if values is None else [f"{v:.4f}" for v in values])]
+            [name, *([UNKNOWN] * 3 if values is None else [fixed(v, 4) for v in values])]
             for name, values in spreads
         ),
     )
 
 
 def _parts_table(content: ReportContent, checks: CrossChecked) -> Table:
-    angles = [angle.name.capitalize() for angle in content.angles]
+    angles = [title(angle.name) for angle in content.angles]
+    deg = degrees_unit()
     return Table(
-        "Answers of parts of the data, as differences from the whole",
+        gettext("Results of parts of the data, as differences from the whole"),
         (
-            Column("Part", "left"),
-            *(Column(f"{a}\n(deg)") for a in angles),
-            *(Column(f"{a} over\nits sigma") for a in angles),
-            Column("Finding", "left"),
+            Column(gettext("Part"), "left"),
+            *(Column(in_unit(name, deg)) for name in angles),
+            *(Column(gettext("{angle} over\nits sigma", angle=name)) for name in angles),
+            Column(gettext("Finding"), "left"),
         ),
         rows(
             [
@@ -261,5 +299,5 @@ def _shown(values: tuple[float, ...] | None, decimals: int) -> list[str]:
 
 def _finding(part: CheckedPart) -> str:
     if part.boresight_deg is None:
-        return "no answer"
-    return "disagrees" if part.disagrees else "agrees"
+        return gettext("no result")
+    return gettext("disagrees") if part.disagrees else gettext("agrees")

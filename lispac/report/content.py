@@ -1,4 +1,4 @@
-"""What a report says, as numbers: the one content behind PDF, HTML and JSON."""
+"""The content of a report as values, the same for PDF, HTML, JSON and tables."""
 
 import hashlib
 from collections.abc import Mapping, Sequence
@@ -16,6 +16,7 @@ from lispac.adjustment.observability import one_facing
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
+from lispac.language import N_
 from lispac.messages import Message
 from lispac.methods import answers, sentences
 from lispac.progress import Progress, no_progress, part
@@ -34,7 +35,7 @@ from lispac.report.diagnostics import (
 )
 from lispac.report.displacement import EFFECT_DISTANCES_M, effects, in_words_of_s44
 from lispac.report.opinion_values import MethodAnswer
-from lispac.report.settings_used import CONVENTION, settings_used
+from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import ValidationPlane, swath_overlap
 from lispac.report.values import (
@@ -77,7 +78,7 @@ def report_content(
     digests: bool = True,
     progress: Progress = no_progress,
 ) -> ReportContent:
-    """Gather what a report says about a project, finished or not.
+    """Content of the report of a project, calibrated or not.
 
     Parameters
     ----------
@@ -85,15 +86,15 @@ def report_content(
     counts : points by name of the line
     track_local : ndarray of shape (k, 2) by name of the line, metres, north and west
         Course of the vessel, coarse.
-    notes : what was assumed while reading, in words
+    notes : assumptions of the import, as texts
     generated : datetime
         Taken as UTC where it has no time zone.
     qualities : by the names of target and line
-    convention : key of another program, to state the boresight as that has it; empty for none
+    convention : key of another program in whose convention the boresight is given; empty for none
     budget : of the system, where something was estimated
-    trajectory : how good it was on each line
-    refused : why an estimate was refused that was asked for after that of the project
-    digests : whether to read the input files for theirs; without, no files are listed
+    trajectory : motion and precision on each line
+    refused : reason why a later estimate than that of the project was refused
+    digests : whether to read the input files for their digests; without, no files are listed
 
     Raises
     ------
@@ -116,7 +117,7 @@ def report_content(
         for line in project.lines
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
-    said = answers(project) if project.opinions else ()
+    methods = answers(project) if project.opinions else ()
     content = ReportContent(
         program=f"LISPAC {lispac.__version__}",
         generated=stamp.isoformat(timespec="seconds"),
@@ -144,8 +145,8 @@ def report_content(
         absolute=None if project.absolute is None else Absolute.of(project.absolute),
         budget=None if budget is None else Budget.of(budget),
         trajectory=tuple(trajectory),
-        methods=tuple(MethodAnswer.of(each) for each in said),
-        methods_in_words=sentences(said),
+        methods=tuple(MethodAnswer.of(each) for each in methods),
+        methods_in_words=sentences(methods),
     )
     also = (refused_since(refused),) if refused else ()
     return replace(content, cautions=cautions_of(content, doubts_of(project, also)))
@@ -155,7 +156,7 @@ def _files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
     inputs: list[tuple[str, Path]] = [("Trajectory", project.trajectory)]
     if project.accuracy is not None:
         inputs.append(("Trajectory accuracy", project.accuracy))
-    inputs += [(f"Line {line.name}", line.path) for line in project.lines]
+    inputs += [(role_of_line(line.name), line.path) for line in project.lines]
     files = []
     for k, (role, path) in enumerate(inputs):
         step = part(progress, k / len(inputs), (k + 1) / len(inputs))
@@ -277,33 +278,43 @@ def _judged(target: str, line: str, quality: SightingQuality, *, by_hand: bool) 
     )
 
 
+NOT_TESTED = N_("Not tested: there are no more points than unknowns.")
+PASSED = N_("Passed: the residuals agree with the given sigmas.")
+TOO_LARGE = N_(
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: a LiDAR sigma "
+    "given too small, a rough target, or outliers."
+)
+TOO_LARGE_NOISE = N_(
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: a LiDAR sigma "
+    "given too small, a rough target, or outliers. The sigmas of the angles are computed with the "
+    "noise found in the residuals."
+)
+TOO_LARGE_CLASSICAL = N_(
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the sigmas are "
+    "given too small, or a target is not one plane on all lines. The sigmas of the angles are then "
+    "too small as well."
+)
+TOO_SMALL = N_(
+    "Failed: the residuals are smaller than expected. The given LiDAR or POS sigmas are too large. "
+    "Without other warnings, the sigmas of the angles are too large as well."
+)
+
+
 def _chi_square(result: AdjustmentResult) -> Chi2:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
-        words = "Not tested: there are no more points than unknowns."
-        return Chi2(test.statistic, None, None, None, words)
+        return Chi2(test.statistic, None, None, None, NOT_TESTED)
     if test.passed:
-        words = "Passed: the residuals are as large as the stated sigmas let one expect."
-    elif test.statistic > test.upper:
-        words = "Failed: the residuals are larger than the stated sigmas allow. "
-        words += (
-            "A LiDAR sigma stated too small, a rough target or stray points do that."
-            + (
-                " The sigmas of the angles are computed with the noise found in the residuals."
-                if any(target.noise > 1 for target in result.targets)
-                else ""
-            )
-            if result.model.correlated
-            else "Either those are too small, or a target is not one plane on all lines; the "
-            "sigmas of the angles are then too small as well."
-        )
+        finding = PASSED
+    elif test.statistic <= test.upper:
+        finding = TOO_SMALL
+    elif not result.model.correlated:
+        finding = TOO_LARGE_CLASSICAL
+    elif any(target.noise > 1 for target in result.targets):
+        finding = TOO_LARGE_NOISE
     else:
-        words = (
-            "Failed: the residuals are smaller than the stated sigmas let one expect. The LiDAR or "
-            "POS sigmas are stated too large, and so, where nothing else is in doubt, are those of "
-            "the angles."
-        )
-    return Chi2(test.statistic, test.lower, test.upper, test.passed, words)
+        finding = TOO_LARGE
+    return Chi2(test.statistic, test.lower, test.upper, test.passed, finding)
 
 
 def _picked(target: Target) -> PickedPlane:

@@ -1,6 +1,6 @@
-"""The control chart of a system: its calibrations over the years, angle by angle."""
+"""Control chart of a system: its calibrations over time, angle by angle."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import date
 
 import numpy as np
@@ -8,25 +8,29 @@ from matplotlib.dates import AutoDateLocator, ConciseDateFormatter, date2num
 from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
+from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.control_chart import Charted, limits
 from lispac.validation.repeatability import NORMAL_95
 
+AXES: Mapping[str, str] = {
+    "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
+}  # fmt: skip
 LIMITS = "#dbe4ee"
 HALF = 0.35
-"""Of the time between two calibrations: how far limits reach to either side of theirs."""
+"""Share of the time between two calibrations that limits extend to either side."""
 DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
-"""Forms of a date beside the axis, from years to seconds: the same in every language."""
+"""Formats of a date beside the axis, from years to seconds: the same in every language."""
 
 
 def control_figure(
     days: Sequence[date],
     charted: Sequence[Charted],
     figure: Figure | None = None,
-    say: Say = unchanged,
+    _say: Say = unchanged,
 ) -> Figure:
-    """Each angle with its 95 % interval, and the limits that those before it set for it.
+    """Each angle with its 95 % interval, and the limits from the earlier calibrations.
 
     Parameters
     ----------
@@ -57,7 +61,7 @@ def control_figure(
                 at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,
             )  # fmt: skip
-        dress(axes, "", say(f"{angle.capitalize()} (deg)"))
+        dress(axes, "", gettext(AXES[angle]))
     for x, each in zip(at, charted, strict=True):
         panels[0].annotate(
             short_name(each.calibration.name), (x, 1.0), xycoords=("data", "axes fraction"),
@@ -72,7 +76,7 @@ def control_figure(
     )
     panels[-1].xaxis.set_major_formatter(formatter)
     figure.supxlabel(
-        say(
+        gettext(
             "Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). "
             "Line and band:\nmean of those before, and three sigmas of the difference."
         ),

@@ -1,16 +1,23 @@
 """The section on other programs: the boresight in their convention, and as a matrix."""
 
+from collections.abc import Mapping
+
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Column, Paragraph, Table, facts, rows
 from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.values import ReportContent
-from lispac.report.wording import UNKNOWN, known, minus, signed, title
+from lispac.report.wording import degrees_unit, fixed, in_unit, known, signed
 
+DIRECTIONS: Mapping[str, str] = {
+    "LiDAR to body": N_("{formula}, LiDAR to body"),
+    "body to LiDAR": N_("{formula}, body to LiDAR"),
+}
 EXACT = 8
-"""Decimals of angles that change much for a small turn."""
+"""Decimals of angles that change much for a small rotation."""
 
 
 def other_programs(content: ReportContent) -> list[Block]:
-    """Boresight and lever arm as other programs want them."""
+    """Boresight and lever arm as other programs take them."""
     blocks: list[Block] = []
     if content.in_convention is not None:
         blocks += _convention(content.in_convention)
@@ -20,66 +27,82 @@ def other_programs(content: ReportContent) -> list[Block]:
 
 
 def _convention(found: InConvention) -> list[Block]:
-    blocks: list[Block] = []
-    if found.angles:
-        decimals = EXACT if found.note else 4
-        blocks.append(
-            Table(
-                f"Boresight for {found.name}: convention {found.status_in_words}",
-                (
-                    Column("Angle", "left"),
-                    Column("Value\n(deg)"),
-                    Column("1 sigma\n(deg)"),
-                    Column("Sign", "left", wide=True),
-                ),
-                rows(
-                    [
-                        title(angle.name),
-                        signed(angle.value_deg, decimals),
-                        known(angle.sigma_deg, lambda v: f"{v:.4f}", UNKNOWN),
-                        angle.meaning,
-                    ]
-                    for angle in found.angles
-                ),
-            )
-        )
+    blocks: list[Block] = [_angles(found)] if found.angles else []
     x, y, z = (signed(value, 4) for value in found.lever_arm_m)
     axes = found.body_axes
-    said = [
-        ("How well this is known", f"{found.status_in_words}; source: {found.source}"),
-        *([("Assumed", found.assumption)] if found.assumption else []),
-        ("Rotation", _rotation(found)),
-        ("Body axes", f"X {axes[0]}, Y {axes[1]}, Z {axes[2]}"),
-        ("Scanner axes", found.scanner_in_words),
-        ("Lever arm", f"X {x} m, Y {y} m, Z {z} m: LiDAR optical centre from the POS centre"),
+    source = gettext(
+        "{status}; source: {source}", status=found.status_in_words, source=found.source
+    )
+    lever_arm = gettext(
+        "X {x} m, Y {y} m, Z {z} m: LiDAR optical centre from the POS centre", x=x, y=y, z=z
+    )
+    values = [
+        (gettext("Verification"), source),
+        *([(gettext("Assumption"), found.assumption)] if found.assumption else []),
+        (gettext("Rotation"), _rotation(found)),
+        (
+            gettext("Body axes"),
+            gettext("X {x}, Y {y}, Z {z}", x=axes[0], y=axes[1], z=axes[2]),
+        ),
+        (gettext("Scanner axes"), found.scanner_in_words),
+        (gettext("Lever arm"), lever_arm),
     ]
-    blocks.append(facts(f"Convention of {found.name}", said))
+    blocks.append(facts(gettext("Convention of {program}", program=gettext(found.name)), values))
     sentences = (found.check_first, found.note, found.offsets_in_words, found.caution)
     blocks += [Paragraph(sentence.strip()) for sentence in sentences if sentence]
     return blocks
 
 
+def _angles(found: InConvention) -> Table:
+    decimals = EXACT if found.note else 4
+    deg = degrees_unit()
+    return Table(
+        gettext(
+            "Boresight for {program}: convention {status}",
+            program=gettext(found.name), status=found.status_in_words,
+        ),
+        (
+            Column(gettext("Angle"), "left"),
+            Column(in_unit(gettext("Value"), deg)),
+            Column(in_unit(gettext("1 sigma"), deg)),
+            Column(gettext("Sign"), "left", wide=True),
+        ),
+        rows(
+            [
+                angle.name,
+                signed(angle.value_deg, decimals),
+                known(angle.sigma_deg, lambda v: fixed(v, 4)),
+                angle.meaning,
+            ]
+            for angle in found.angles
+        ),
+    )  # fmt: skip
+
+
 def _rotation(found: InConvention) -> str:
     if not found.angles:
-        return "taken as a matrix only"
-    return f"{minus(found.formula)}, {found.direction_in_words}"
+        return gettext("imported as a matrix only")
+    return gettext(DIRECTIONS[found.direction_in_words], formula=found.formula)
 
 
 def _matrix(found: ScannerToBody) -> list[Block]:
     axes = found.body_axes
     return [
         Table(
-            f"Matrix from scanner to body for {found.name}",
+            gettext("Matrix from scanner to body for {program}", program=gettext(found.name)),
             (
-                Column("Scanner X"),
-                Column("Scanner Y"),
-                Column("Scanner Z"),
-                Column("Lever arm (m)"),
+                Column(gettext("Scanner X")),
+                Column(gettext("Scanner Y")),
+                Column(gettext("Scanner Z")),
+                Column(gettext("Lever arm (m)")),
             ),
-            rows([minus(f"{value:.10f}") for value in row] for row in found.transform),
+            rows([fixed(value, 10) for value in row] for row in found.transform),
         ),
         Paragraph(
-            f"Rows: the body's X {axes[0]}, Y {axes[1]}, Z {axes[2]}, and the last row of any 4x4 "
-            "matrix. The first three columns of the first three rows are the 3x3 rotation."
+            gettext(
+                "Rows: X {x}, Y {y}, Z {z} of the body, and the last row of any 4x4 matrix. The "
+                "first three columns of the first three rows are the 3x3 rotation.",
+                x=axes[0], y=axes[1], z=axes[2],
+            )
         ),
-    ]
+    ]  # fmt: skip

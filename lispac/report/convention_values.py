@@ -1,4 +1,4 @@
-"""The boresight in another program's convention, as a report's values."""
+"""The boresight in the convention of another program, as values of a report."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, Sta
 from lispac.survey.conventions.words import CHECK_FIRST, THESIS_MODE, offsets_words
 
 MATRIX_OF = "pdal"
-"""The program whose matrix stands in every report: any point cloud software can apply it."""
+"""The program whose matrix is in every report: any point cloud software can apply it."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class StatedAngle:
 
 @dataclass(frozen=True)
 class InConvention:
-    """Boresight and lever arm as another program states them, and how sure that is.
+    """Boresight and lever arm in the convention of another program, and its verification.
 
     ``transform`` is the 4x4 matrix from scanner to body coordinates of that program, metres;
     ``angles`` are in the order in which they are typed, none where it takes a matrix only.
@@ -62,7 +62,7 @@ class ScannerToBody:
 
 
 def in_convention(project: Project, key: str) -> InConvention | None:
-    """What to set in the other program; None where nothing is estimated yet.
+    """Values to enter in the other program; None where nothing is estimated yet.
 
     Raises
     ------

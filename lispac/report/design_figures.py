@@ -1,6 +1,6 @@
-"""Plots of a design: what one thing changes, what less effort costs, and whether sigmas hold."""
+"""Plots of a survey design: scenarios, precision by time on site, errors of simulations."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -10,17 +10,25 @@ from lispac.adjustment.result import ANGLES
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Step
+from lispac.language import N_, gettext, raw_text
 from lispac.report.design_words import NAMES
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
+from lispac.report.wording import fixed, parameter
 from lispac.reverse_translation.translation import Say, unchanged
 
 BEYOND = 4.0
-"""Foretold sigmas to either side that errors are drawn to; what is beyond counts at the border."""
+"""Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
 
-EXPECTED = "Scatter over foretold sigma; the curve is what is to be expected"
+EXPECTED = N_("Scatter over predicted sigma; the curve is the expected distribution")
+RATIOS: Mapping[str, str] = {
+    "roll": N_("roll: {ratio} ± {interval}"),
+    "pitch": N_("pitch: {ratio} ± {interval}"),
+    "yaw": N_("yaw: {ratio} ± {interval}"),
+}
+"""Scatter over predicted sigma, with what it varies by chance."""
 
 COLOURS = (BEFORE, AFTER, "#228833")
-"""Of roll, pitch and yaw; told apart with any colour vision."""
+"""Of roll, pitch and yaw; distinguishable with any colour vision."""
 
 
 def scenario_figure(
@@ -38,16 +46,16 @@ def scenario_figure(
         for k, (angle, colour) in enumerate(zip(ANGLES, COLOURS, strict=True)):
             at = np.arange(len(cases)) + 0.27 * (k - 1)
             axes.bar(at, np.where(np.isfinite(table[:, k]), table[:, k], 0.0), 0.25, color=colour,
-                     label=say(angle))  # fmt: skip
+                     label=parameter(angle))  # fmt: skip
         for x in np.flatnonzero(~np.isfinite(table).all(axis=1)):
-            axes.text(x, 0.03 * highest, say("not determined"), rotation=90, fontsize=SMALL,
+            axes.text(x, 0.03 * highest, gettext("not determined"), rotation=90, fontsize=SMALL,
                       color=INK, ha="center", va="bottom")  # fmt: skip
-        dress(axes, "", say("1 sigma (deg)"))
-        axes.set_title(say(NAMES[model]), fontsize=TEXT, color=INK, loc="left")
+        dress(axes, "", gettext("1 sigma (deg)"))
+        axes.set_title(_translated(NAMES[model], say), fontsize=TEXT, color=INK, loc="left")
         axes.set_ylim(0.0, 1.12 * highest if highest > 0 else 1.0)
     turned = max(map(len, cases)) * len(cases) > 70
     panels[-1].set_xticks(
-        range(len(cases)), [say(case) for case in cases], fontsize=SMALL,
+        range(len(cases)), [_translated(case, say) for case in cases], fontsize=SMALL,
         rotation=30 if turned else 0,
         ha="right" if turned else "center",
     )  # fmt: skip
@@ -56,15 +64,20 @@ def scenario_figure(
     return figure
 
 
+def _translated(text: str, say: Say) -> str:
+    """A text of the design; ``say`` translates it where the gettext catalogue does not have it."""
+    return say(text) if raw_text(text, {}) == text else gettext(text)
+
+
 def front_figure(
     front: Sequence[Step], label: str, figure: Figure | None = None, say: Say = unchanged
 ) -> Figure:
-    """What less time costs: the objective against the minutes of each plan.
+    """The objective by the minutes on site of each plan.
 
     Parameters
     ----------
     label : str
-        What the objective is, in words.
+        Name of the objective.
     """
     figure = blank(figure, (6.3, 2.8))
     axes = figure.subplots()
@@ -72,16 +85,17 @@ def front_figure(
     values = np.degrees([step.value for step in front])
     axes.plot(minutes, values, "o-", color=BEFORE, markersize=4, linewidth=1.0)
     for step, x, y in zip(front, minutes, values, strict=True):
-        said = f"{len(step.plan.targets)} × {len(step.plan.lines)}"
-        axes.annotate(said, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
+        size = f"{len(step.plan.targets)} × {len(step.plan.lines)}"
+        axes.annotate(size, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
                       color=INK)  # fmt: skip
-    dress(axes, say("Minutes on site (targets × lines beside each)"), say(f"{label} (deg)"))
+    quantity = gettext("{quantity} (deg)", quantity=_translated(label, say))
+    dress(axes, gettext("Minutes on site (targets × lines beside each)"), quantity)
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure
 
 
-def errors_figure(found: Scatter, figure: Figure | None = None, say: Say = unchanged) -> Figure:
-    """Errors of roll, pitch and yaw over their foretold sigmas, beside what is to be expected."""
+def errors_figure(found: Scatter, figure: Figure | None = None, _say: Say = unchanged) -> Figure:
+    """Errors of roll, pitch and yaw over their predicted sigmas, with the expected distribution."""
     figure = blank(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
     unit = np.clip(found.errors / found.foretold, -BEYOND, BEYOND)
@@ -93,11 +107,15 @@ def errors_figure(found: Scatter, figure: Figure | None = None, say: Say = uncha
         axes.hist(unit[:, k], edges, color=COLOURS[k], alpha=0.75)
         axes.plot(at, expected, color=INK, linewidth=1.0)
         dress(
-            axes, say("error / foretold sigma") if k == 1 else "", say("surveys") if k == 0 else ""
+            axes,
+            gettext("error / predicted sigma") if k == 1 else "",
+            gettext("surveys") if k == 0 else "",
         )
         ratio = found.ratio[k]
-        said = f"{angle}: {ratio:.2f} \u00b1 {ratio * found.by_chance:.2f}"
-        axes.set_title(say(said), fontsize=TEXT, color=INK, loc="left")
+        head = gettext(
+            RATIOS[angle], ratio=fixed(ratio, 2), interval=fixed(ratio * found.by_chance, 2)
+        )
+        axes.set_title(head, fontsize=TEXT, color=INK, loc="left")
     panels[0].yaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
-    figure.suptitle(say(EXPECTED), fontsize=SMALL, color=INK)
+    figure.suptitle(gettext(EXPECTED), fontsize=SMALL, color=INK)
     return figure

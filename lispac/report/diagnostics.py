@@ -1,4 +1,4 @@
-"""What an adjustment says about itself, as a report's values: parameters, observability, checks."""
+"""Diagnostics of an adjustment as values of a report: parameters, observability, checks."""
 
 import math
 from collections.abc import Iterable
@@ -31,7 +31,7 @@ def number(value: float) -> float | None:
 
 
 def parameters_of(result: AdjustmentResult) -> tuple[ExtraParameter, ...]:
-    """What became of every value switched on besides the boresight."""
+    """Results of the values selected for estimation besides the boresight."""
     found = []
     for estimate in result.parameters:
         factor, unit = STATED[estimate.name]
@@ -57,7 +57,7 @@ def _times(factor: float, value: float | None) -> float | None:
 
 
 def seen(observability: Observability | None) -> Seen | None:
-    """How well the geometry sees the angles."""
+    """Observability of the angles."""
     if observability is None:
         return None
     return Seen(
@@ -73,7 +73,7 @@ def seen(observability: Observability | None) -> Seen | None:
 
 
 def components_of(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
-    """How large the groups of errors are by the data."""
+    """Variance components of the groups of errors."""
     return tuple(
         VarianceComponent(c.name, c.factor, c.lower, c.upper, c.applied, component_shown(c).finding)
         for c in result.components
@@ -118,7 +118,7 @@ def _sighting(item: SightingReliability, points: int, critical: float) -> Sighti
 
 
 def cross_checked(checks: CrossChecks | None) -> CrossChecked | None:
-    """What parts of the data say by themselves."""
+    """Results of parts of the data."""
     if checks is None:
         return None
     return CrossChecked(

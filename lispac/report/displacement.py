@@ -1,4 +1,4 @@
-"""How far the uncertainty of the boresight moves a point.
+"""Displacement of a point by the uncertainty of the boresight.
 
 A small change of the angles turns the cloud by a vector w with covariance W = J C J'. It moves a
 point at distance d in direction u by d (w x u).
@@ -20,7 +20,7 @@ TWO_95 = 2.45
 
 
 def effects(result: AdjustmentResult) -> tuple[Effect, ...]:
-    """Displacements by each angle's sigma, and by all together where they add up worst.
+    """Displacements by the sigma of each angle, and by all together in the worst direction.
 
     The mean square length of the displacement is d^2 (trace W - u' W u): largest along the
     eigenvector of W's smallest eigenvalue.
@@ -34,7 +34,7 @@ def effects(result: AdjustmentResult) -> tuple[Effect, ...]:
 
 
 def in_words_of_s44(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
-    """What the boresight adds to the horizontal and vertical uncertainty, for a level vessel.
+    """Contribution to the horizontal and vertical uncertainty, for a level vessel.
 
     The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). Upwards, the
     vectors u x e are the horizontal ones, so the worst beam has the largest eigenvalue of the

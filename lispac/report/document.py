@@ -1,17 +1,19 @@
-"""The report in words, the same for every kind of file it is written to."""
+"""Texts, tables and figures of a report, the same for every kind of file it is written to."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.language import in_language
+from lispac.language import Plural, gettext, in_language
 from lispac.messages import error
 from lispac.report import sections
 from lispac.report.absolute_section import absolute
 from lispac.report.blocks import (
     Block,
     Document,
+    Drawing,
+    Furniture,
     Letterhead,
     Paragraph,
     Picture,
@@ -27,25 +29,28 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.standards_section import standards
-from lispac.report.translated import drawn, translated, translator
+from lispac.report.translated import translated, translator, warnings_and_notes
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
 from lispac.report.wording import moment
-from lispac.reverse_translation.messages import translated_text
 
 TWO_ON_A_PAGE = 92.0
 """Height of a picture, mm, of which two with their captions fit on the smaller page."""
+ENGLISH_TEXTS = Plural(
+    "{count:n} text of this report is in English: its translation is not known.",
+    "{count:n} texts of this report are in English: their translation is not known.",
+)
 
 
 def document_of(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
 ) -> Document:
-    """Put a report's content into words.
+    """The texts, tables and figures of a report.
 
     Parameters
     ----------
     pictures : file of a PNG or SVG picture by its caption
-    options : its language, page and letterhead; the convention is a matter of the content
+    options : its language, page and letterhead; the convention is part of the content
 
     Raises
     ------
@@ -54,41 +59,45 @@ def document_of(
     """
     say = translator(content, options.language)
     with in_language(options.language):
-        document = drawn(in_english(content, pictures, options, say), say)
-        return document if options.language == "en" else translated(document, say)
+        document = drawn_document(undrawn_document(content, pictures, options, say))
+        if not say.unknown:
+            return document
+        left = gettext(ENGLISH_TEXTS, count=len(say.unknown))
+        return replace(document, cautions=(*document.cautions, left))
 
 
-def in_english(
+def undrawn_document(
     content: ReportContent,
     pictures: Mapping[str, Path],
     options: ReportOptions = USUAL,
     say: Callable[[str], str] = str,
 ) -> Document:
-    """The report as it is made, its figures not drawn yet; messages are in the language in use.
+    """The report in the language in use, its figures not drawn yet.
 
     Parameters
     ----------
-    say : translates English sentences within messages
+    say : translates English sentences of the content
     """
-    serious = tuple(translated_text(each, say) for each in content.cautions if each.is_serious)
+    serious, notes = warnings_and_notes(content, say)
     status, verdict = _verdict(content, bool(serious))
+    content = translated(content, say)
     parts = [
-        _section("Boresight and its uncertainty", boresight(content)),
-        _section("Uncertainty in standard terms", standards(content)),
-        _section("Values for other programs", other_programs(content)),
-        _section("Targets and residuals", sections.residuals(content)),
-        _section("Quality of the sightings", quality_of_sightings(content)),
-        _section("Reliability of the sightings", reliability(content)),
-        _section("Cross-checks", cross_checks(content)),
-        _section("Validation", validation(content)),
-        _section("Alternative methods", second_opinions(content)),
-        _section("Absolute check", absolute(content)),
-        _section("Site and lines", sections.site(content)),
-        _section("Settings and input files", settings(content)),
-        _section("Pictures", _views(pictures)),
+        _section(gettext("Boresight and its uncertainty"), boresight(content)),
+        _section(gettext("Uncertainty in standard terms"), standards(content)),
+        _section(gettext("Values for other programs"), other_programs(content)),
+        _section(gettext("Targets and residuals"), sections.residuals(content)),
+        _section(gettext("Quality of the sightings"), quality_of_sightings(content)),
+        _section(gettext("Reliability of the sightings"), reliability(content)),
+        _section(gettext("Cross-checks"), cross_checks(content)),
+        _section(gettext("Validation"), validation(content)),
+        _section(gettext("Alternative methods"), second_opinions(content)),
+        _section(gettext("Absolute check"), absolute(content)),
+        _section(gettext("Site and lines"), sections.site(content)),
+        _section(gettext("Settings and input files"), settings(content)),
+        _section(gettext("Pictures"), _views(pictures)),
     ]
     return Document(
-        title="Boresight calibration report",
+        title=gettext("Boresight calibration report"),
         project=content.project,
         program=content.program,
         generated=moment(content.generated),
@@ -96,12 +105,10 @@ def in_english(
         verdict=verdict,
         identity=identity(content),
         serious=serious,
-        cautions=tuple(
-            translated_text(each, say) for each in content.cautions if not each.is_serious
-        ),
+        cautions=notes,
         summary=(
             *sections.summary(content),
-            *(Paragraph(text, own=True) for text in options.closing.split("\n\n") if text),
+            *(Paragraph(text) for text in options.closing.split("\n\n") if text),
             signature(content),
         ),
         sections=tuple(section for section in parts if section.blocks),
@@ -111,17 +118,49 @@ def in_english(
             options.company,
             options.heading,
         ),
+        language=options.language,
+        furniture=Furniture(
+            made=gettext("Made {when} by {program}"),
+            page=gettext("Page {page} of {pages}"),
+            warnings=gettext("Warnings"),
+            remarks=gettext("Remarks"),
+            contents=gettext("Contents"),
+        ),
     )
+
+
+def drawn_document(document: Document) -> Document:
+    """The document with its figures drawn in the language in use."""
+    return replace(
+        document,
+        summary=_with_pictures(document.summary),
+        sections=tuple(
+            Section(section.title, _with_pictures(section.blocks)) for section in document.sections
+        ),
+    )
+
+
+def _with_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
+    from lispac.report.figures import pictures_of
+
+    made: list[Block] = []
+    for block in blocks:
+        if isinstance(block, Drawing):
+            svgs = pictures_of(block.draw, *block.values)
+            made += [Picture(block.caption, svg, ".svg", block.width) for svg in svgs]
+        else:
+            made.append(block)
+    return tuple(made)
 
 
 def _verdict(content: ReportContent, serious: bool) -> tuple[Status, str]:
     if not content.calibrated:
-        return "bad", "NOT CALIBRATED"
+        return "bad", gettext("NOT CALIBRATED")
     if serious:
-        return "bad", "CALIBRATED WITH SERIOUS WARNINGS"
+        return "bad", gettext("CALIBRATED WITH SERIOUS WARNINGS")
     if content.cautions:
-        return "fair", "CALIBRATED, WITH REMARKS"
-    return "good", "CALIBRATED"
+        return "fair", gettext("CALIBRATED, WITH REMARKS")
+    return "good", gettext("CALIBRATED")
 
 
 def _views(pictures: Mapping[str, Path]) -> list[Picture]:

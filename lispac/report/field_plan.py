@@ -1,4 +1,4 @@
-"""One page for the field: where the boards hang, which lines to sail in which order."""
+"""One page for the field: positions of the boards, and the lines in their order."""
 
 from collections.abc import Sequence
 from textwrap import fill
@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.design.site import Wall, least_off
-from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT
+from lispac.language import N_, Plural, gettext
+from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT, LocalisedFormatter
+from lispac.report.wording import fixed, localised, shortest, signed
 from lispac.simulation.closed_form import Ball, Board
 
 Array = NDArray[np.float64]
@@ -20,19 +22,20 @@ PAGE = (8.27, 11.69)
 """Inches: A4."""
 
 WALL, WRONG = "#8a8f98", "#b3261e"
-ASSUMED = (
-    "Heights are above the vessel's POS. The distance is from the middle of the site to the line; "
-    "off wall: the least on the way; straight from, to: metres along the line before and after the "
-    "middle is abeam. Keep course "
-    "and speed there. The order of the lines counts. Hang the boards flat and firm: the sigmas "
-    "rest on their not moving by a millimetre. Headings are from true north. Along is counted to "
-    "the right from the middle of the site: mark it on the wall first."
+ASSUMED = N_(
+    "Heights are above the POS of the vessel. Along is counted to the right from the middle of the "
+    "site: mark it on the wall first. Distance: from the middle of the site to the line. Off wall: "
+    "the smallest distance on the way. Straight from, to: metres along the line before and after "
+    "the middle is abeam; keep course and speed there. The order of the lines counts. Headings are "
+    "from true north. Fix the boards flat and firmly: the sigmas assume that they do not move by "
+    "a millimetre."
 )
 PITCH, CLOSEST, ROOM, LIFT = 0.019, 0.0115, 0.24, 0.26
-"""Shares of the page: height of a row, the least of it, what rows have beside usual drawings, and
-what drawings give of theirs where there are many."""
+"""Shares of the page: height of a row, its smallest value, room of the rows beside drawings of the
+usual height, and the most that drawings lose where there are many rows."""
 MOST_CAUTIONS, WIDE = 3, 140
-"""Cautions that are printed, and letters in a line."""
+"""Warnings that are printed, and letters in a line."""
+MORE = Plural("And {count:n} more like these.", "And {count:n} more like these.")
 BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Metres: lengths of the scale."""
 
@@ -40,20 +43,20 @@ BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 def field_plan(
     plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, cautions: Sequence[str] = ()
 ) -> Figure:
-    """Drawing, boards, lines and what is to be expected, on one page.
+    """Drawing, boards, lines and predicted sigmas on one page.
 
     Parameters
     ----------
     wall : Wall
         On the water.
     notes : sequence of str
-        Printed below: what the plan rests on.
+        Printed below: assumptions of the plan.
     cautions : sequence of str
-        What of the plan cannot be done.
+        Warnings about parts of the plan that cannot be realised.
     """
     if len(cautions) > MOST_CAUTIONS:
-        others = len(cautions) - MOST_CAUTIONS
-        cautions = (*cautions[:MOST_CAUTIONS], f"And {others} more like these.")
+        more = gettext(MORE, count=len(cautions) - MOST_CAUTIONS)
+        cautions = (*cautions[:MOST_CAUTIONS], more)
     rows = len(plan.targets) + len(plan.lines) + 4.6 + len(cautions)
     lift = float(np.clip(rows * CLOSEST - ROOM, 0.0, LIFT)) if rows * PITCH > ROOM else 0.0
     pitch = min(PITCH, (ROOM + lift) / rows)
@@ -63,14 +66,14 @@ def field_plan(
     _from_above(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
     _front(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
     low = 0.325 + lift
-    _table(figure, low, pitch, "Targets", TARGET_HEADS, _target_rows(plan, wall))
+    _table(figure, low, pitch, gettext("Targets"), TARGET_HEADS, _target_rows(plan, wall))
     low -= pitch * (len(plan.targets) + 2.3)
-    _table(figure, low, pitch, "Lines, in this order", LINE_HEADS, _line_rows(plan, wall))
+    _table(figure, low, pitch, gettext("Lines, in this order"), LINE_HEADS, _line_rows(plan, wall))
     low -= pitch * (len(plan.lines) + 2.3)
     for caution in cautions:
         figure.text(0.07, low, caution, fontsize=TEXT, color=WRONG, va="top", weight="bold")
         low -= pitch
-    text = "\n".join(fill(note, WIDE) for note in (ASSUMED, _rests_on(plan), *notes))
+    text = "\n".join(fill(note, WIDE) for note in (gettext(ASSUMED), _assumptions(plan), *notes))
     figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
     return figure
 
@@ -78,22 +81,29 @@ def field_plan(
 def _expected(plan: Plan) -> str:
     found = predict(plan)
     if not found.determined:
-        return "This plan does not determine the boresight."
-    sigma = np.degrees(found.sigma)
-    return (
-        f"Expected (1 sigma): roll {sigma[0]:.4f}, pitch {sigma[1]:.4f}, yaw {sigma[2]:.4f} deg; "
-        f"{plan.duration / 60:.0f} minutes of lines"
-    )
+        return gettext("This plan does not determine the boresight.")
+    roll, pitch, yaw = found.sigma
+    return gettext(
+        "Predicted (1 sigma): roll {roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg. Time on "
+        "lines: {minutes} min.",
+        roll=roll, pitch=pitch, yaw=yaw, minutes=fixed(plan.duration / 60, 0),
+    )  # fmt: skip
 
 
-def _rests_on(plan: Plan) -> str:
+def _assumptions(plan: Plan) -> str:
     pos = plan.system.pos
-    mm = ", ".join(f"{1000 * value:g}" for value in pos.sigma_position)
-    deg = ", ".join(f"{value:.3g}" for value in np.degrees(pos.sigma_attitude))
-    return (
-        f"Expected with a POS of {mm} mm (north, east, up) and {deg} deg (roll, pitch, heading), "
-        f"and targets flat to {1000 * plan.flatness:g} mm."
-    )
+    return gettext(
+        "Predicted with a POS of {position} mm (north, east, up) and {attitude} deg (roll, pitch, "
+        "heading), and targets flat to {flatness} mm.",
+        position=_three([shortest(1000 * value) for value in pos.sigma_position]),
+        attitude=_three([localised(f"{value:.3g}") for value in np.degrees(pos.sigma_attitude)]),
+        flatness=shortest(1000 * plan.flatness),
+    )  # fmt: skip
+
+
+def _three(numbers: Sequence[str]) -> str:
+    x, y, z = numbers
+    return gettext("{x}, {y}, {z}", x=x, y=y, z=z)
 
 
 def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
@@ -131,11 +141,16 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     axes.grid(True, color=GRID, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL, colors=INK)
-    axes.set_xlabel("East (m)", fontsize=TEXT, color=INK)
-    axes.set_ylabel("North (m)", fontsize=TEXT, color=INK)
+    axes.xaxis.set_major_formatter(LocalisedFormatter())
+    axes.yaxis.set_major_formatter(LocalisedFormatter())
+    axes.set_xlabel(gettext("East (m)"), fontsize=TEXT, color=INK)
+    axes.set_ylabel(gettext("North (m)"), fontsize=TEXT, color=INK)
     _north_and_scale(axes)
     axes.set_title(
-        "From above; numbers stand where a line begins, opposite lines are drawn beside each other",
+        gettext(
+            "From above. A number marks the start of a line; opposite lines are drawn beside each "
+            "other"
+        ),
         fontsize=TEXT,
         color=INK,
         loc="left",
@@ -143,7 +158,7 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
 
 
 def _north_and_scale(axes: Axes) -> None:
-    """An arrow to the north, which is up, and a bar as long as is written on it."""
+    """An arrow to the north, which is up, and a scale bar."""
     axes.apply_aspect()
     axes.autoscale(False)
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
@@ -157,11 +172,18 @@ def _north_and_scale(axes: Axes) -> None:
     bar = max((each for each in BARS if each <= 0.2 * wide), default=BARS[0])
     x, y = left + 0.03 * wide, low + 0.05 * tall
     axes.plot([x, x + bar], [y, y], color=INK, linewidth=3, solid_capstyle="butt")
-    axes.text(x + bar / 2, y + 0.015 * tall, f"{bar:g} m", fontsize=TEXT, color=INK, ha="center")
+    axes.text(
+        x + bar / 2,
+        y + 0.015 * tall,
+        gettext("{length} m", length=shortest(bar)),
+        fontsize=TEXT,
+        color=INK,
+        ha="center",
+    )
 
 
 def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
-    """The wall as it is seen from the water."""
+    """The wall as seen from the water."""
     for target in plan.targets:
         along = wall.seen(target.centre)[0]
         up = target.centre[2]
@@ -180,21 +202,23 @@ def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
     axes.grid(True, color=GRID, linewidth=0.6)
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL, colors=INK)
+    axes.xaxis.set_major_formatter(LocalisedFormatter())
+    axes.yaxis.set_major_formatter(LocalisedFormatter())
     axes.set_xlabel(
-        "Along the wall, to the right as seen from the water (m)", fontsize=TEXT, color=INK
+        gettext("Along the wall, to the right as seen from the water (m)"), fontsize=TEXT, color=INK
     )
-    axes.set_ylabel("Above POS (m)", fontsize=TEXT, color=INK)
+    axes.set_ylabel(gettext("Above POS (m)"), fontsize=TEXT, color=INK)
 
 
 TARGET_HEADS = (
-    "target", "along (m)", "off the wall (m)", "above POS (m)", "size (m)", "from level (deg)",
-    "faces (deg)",
+    N_("target"), N_("along (m)"), N_("off the wall (m)"), N_("above POS (m)"), N_("size (m)"),
+    N_("from level (deg)"), N_("faces (deg)"),
 )  # fmt: skip
 AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
-"""Where columns begin."""
+"""Left ends of the columns, as shares of the width of the page."""
 LINE_HEADS = (
-    "line", "heading (deg)", "distance (m)", "site on", "off wall (m)", "speed (m/s)",
-    "straight from, to (m)",
+    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("site on"), N_("off wall (m)"),
+    N_("speed (m/s)"), N_("straight from, to (m)"),
 )  # fmt: skip
 
 
@@ -202,25 +226,29 @@ def _target_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for target in plan.targets:
         along, off, up = wall.seen(target.centre)
-        place = (target.name, _signed(along), _signed(off), f"{up:.2f}")
+        place = (target.name, _signed(along), _signed(off), fixed(up, 2))
         if isinstance(target, Ball):
-            rows.append((*place, f"ball, r {target.radius:.3f}", "", ""))
+            ball = gettext("ball, r {radius:m.3}", radius=target.radius)
+            rows.append((*place, ball, "", ""))
             continue
         lean, azimuth = wall.facing_of(target)
-        faces = "" if lean < 0.05 or lean > 179.95 else f"{azimuth:.0f}"
-        rows.append((*place, f"{target.width:.2f} x {target.height:.2f}", _leans(lean), faces))
+        faces = "" if lean < 0.05 or lean > 179.95 else fixed(azimuth, 0)
+        size = f"{fixed(target.width, 2)} x {fixed(target.height, 2)}"
+        rows.append((*place, size, _inclination(lean), faces))
     return rows
 
 
 def _signed(metres: float) -> str:
-    return f"{metres:+.2f}" if abs(metres) >= 0.005 else "0.00"
+    return signed(metres, 2) if abs(metres) >= 0.005 else fixed(0.0, 2)
 
 
-def _leans(degrees: float) -> str:
-    """Inclination from level in words: 90 is upright."""
+def _inclination(degrees: float) -> str:
+    """Inclination from level, and to which side; 90 is upright."""
     if abs(degrees - 90.0) < 0.5:
-        return "90, upright"
-    return f"{degrees:.0f}, leans back" if degrees < 90.0 else f"{180 - degrees:.0f}, leans forward"
+        return gettext("90, upright")
+    if degrees < 90.0:
+        return gettext("{degrees}, leans back", degrees=fixed(degrees, 0))
+    return gettext("{degrees}, leans forward", degrees=fixed(180 - degrees, 0))
 
 
 def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
@@ -229,9 +257,9 @@ def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
     for k, (line, (start, stop), off) in enumerate(each, start=1):
         rows.append(
             (
-                f"{k}", f"{line.heading_deg % 360:.0f}", f"{line.distance:g}",
-                "starboard" if line.starboard else "port", f"{off:.1f}", f"{line.speed:g}",
-                f"{start:+.0f}, {stop:+.0f}",
+                f"{k}", fixed(line.heading_deg % 360, 0), shortest(line.distance),
+                gettext("starboard") if line.starboard else gettext("port"), fixed(off, 1),
+                shortest(line.speed), f"{signed(start, 0)}, {signed(stop, 0)}",
             )
         )  # fmt: skip
     return rows
@@ -242,7 +270,7 @@ def _table(
     rows: Sequence[Sequence[str]],
 ) -> None:  # fmt: skip
     figure.text(0.07, top, title, fontsize=TEXT + 1, weight="bold", color=INK, va="top")
-    for k, row in enumerate([heads, *rows]):
+    for k, row in enumerate([[gettext(each) for each in heads], *rows]):
         for x, value in zip(AT, row, strict=True):
             figure.text(x, top - pitch * (k + 1), value, fontsize=TEXT, color=INK, va="top",
                         weight="bold" if k == 0 else "normal")  # fmt: skip

@@ -1,7 +1,7 @@
-"""The plots, as matplotlib Figures: the report saves them, the window shows them.
+"""Plots as matplotlib Figures, for the report and the window.
 
 Each function draws into the figure given, or into a new one. Style is set on the artists and
-never in matplotlib's global settings, so that drawing in a worker disturbs nobody.
+never in matplotlib's global settings, so that a worker can draw at the same time.
 """
 
 import pickle
@@ -17,19 +17,24 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ft2font import FT2Font
+from matplotlib.ticker import ScalarFormatter
 from matplotlib.transforms import offset_copy
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
+from lispac.language import N_, current_language, gettext, in_language
 from lispac.report.values import (
     Line,
     PickedPlane,
     SightingCheck,
     SightingFit,
 )
-from lispac.report.wording import parameter
-from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.translation import Say, Translator, unchanged
+from lispac.report.wording import (
+    fixed,
+    localised,
+    parameter,
+    signed,
+)
 
 Array = NDArray[np.float64]
 
@@ -39,7 +44,7 @@ LINE_COLOURS = (
     "#4477aa", "#ee6677", "#228833", "#997700", "#0088aa", "#aa3377", "#777777",
     "#332288", "#882255", "#44aa99",
 )  # fmt: skip
-"""Told apart with any colour vision, after Paul Tol; the light ones darkened for thin lines."""
+"""Distinguishable with any colour vision (Paul Tol); light colours darkened for thin lines."""
 
 TEXT, SMALL = 8.0, 7.0
 PER_RESIDUAL_FIGURE = 28
@@ -48,9 +53,11 @@ PER_RESIDUAL_FIGURE = 28
 LONGEST_LABEL = 24
 
 NEAR = 0.05, 0.09
-"""Marks on the site plan whose names would meet, north and west; shares of what is drawn."""
+"""Distance of marks on the site plan whose names would overlap; shares of the drawn extent."""
 
-POS_COMPONENTS = ("North", "West", "Up", "Roll", "Pitch", "Heading")
+POS_COMPONENTS = (
+    N_("North"), N_("West"), N_("Up"), N_("Roll"), N_("Pitch"), N_("Heading")
+)  # fmt: skip
 """In the order of `SightingReliability.pos_error`."""
 
 
@@ -63,7 +70,6 @@ def correlation_figure_of(
     names: Sequence[str],
     correlation: ArrayLike,
     figure: Figure | None = None,
-    say: Say = unchanged,
 ) -> Figure:
     """`correlation_figure` of a report's content; names as in `AdjustmentResult.estimated`."""
     matrix = np.asarray(correlation)
@@ -73,9 +79,10 @@ def correlation_figure_of(
     image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
     for (row, column), value in np.ndenumerate(matrix):
         colour = "white" if abs(value) > 0.7 else INK
-        text = f"{value:+.2f}".replace("-", "\u2212")
-        axes.text(column, row, text, ha="center", va="center", color=colour, fontsize=SMALL)
-    labels = [say(parameter(name)) for name in names]
+        axes.text(
+            column, row, signed(value, 2), ha="center", va="center", color=colour, fontsize=SMALL
+        )
+    labels = [parameter(name) for name in names]
     axes.set_xticks(range(len(names)), labels)
     if len(names) > 3:
         for label in axes.get_xticklabels():
@@ -83,8 +90,9 @@ def correlation_figure_of(
     axes.set_yticks(range(len(names)), labels)
     axes.tick_params(length=0, labelsize=TEXT, colors=INK)
     axes.spines[:].set_visible(False)
-    figure.colorbar(image, ax=axes, shrink=0.85).ax.tick_params(labelsize=SMALL, colors=INK)
-    axes.set_title(say("Correlation"), fontsize=TEXT + 1, color=INK)
+    bar = figure.colorbar(image, ax=axes, shrink=0.85, format=LocalisedFormatter())
+    bar.ax.tick_params(labelsize=SMALL, colors=INK)
+    axes.set_title(gettext("Correlation"), fontsize=TEXT + 1, color=INK)
     return figure
 
 
@@ -93,7 +101,6 @@ def site_figure(
     targets: Mapping[str, Sequence[float]],
     validation: Mapping[str, Sequence[float]],
     figure: Figure | None = None,
-    say: Say = unchanged,
 ) -> Figure:
     """Plan view: courses of the lines, targets and validation planes; north is up.
 
@@ -108,8 +115,8 @@ def site_figure(
         _draw_track(
             axes, name, np.asarray(points, dtype=float), LINE_COLOURS[k % len(LINE_COLOURS)]
         )
-    _draw_seeds(axes, targets, "s", "#bb2222", say("target"))
-    _draw_seeds(axes, validation, "^", "#111111", say("validation plane"))
+    _draw_seeds(axes, targets, "s", "#bb2222", gettext("target"))
+    _draw_seeds(axes, validation, "^", "#111111", gettext("validation plane"))
     marks = [
         (name, seed, colour)
         for seeds, colour in ((targets, "#bb2222"), (validation, "#111111"))
@@ -119,21 +126,18 @@ def site_figure(
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
     axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
-    dress(axes, say("West (m)"), say("North (m)"))
+    dress(axes, gettext("West (m)"), gettext("North (m)"))
     if tracks or targets or validation:
         figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
     return figure
 
 
-def site_figure_of(
-    lines: Sequence[Line], planes: Sequence[PickedPlane], say: Say = unchanged
-) -> Figure:
+def site_figure_of(lines: Sequence[Line], planes: Sequence[PickedPlane]) -> Figure:
     """`site_figure` of a report's content."""
     return site_figure(
         {line.name: line.track_local_m for line in lines if len(line.track_local_m) > 0},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "target"},
         {plane.name: plane.seed_local_m for plane in planes if plane.role == "validation"},
-        say=say,
     )
 
 
@@ -150,27 +154,27 @@ def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> F
     )
 
 
-def residual_figures_of(sightings: Sequence[SightingFit], say: Say = unchanged) -> list[Figure]:
+def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
     """`residual_figure` of a report's content, in as many figures as fill a page each."""
     figures = []
     for start in range(0, len(sightings), PER_RESIDUAL_FIGURE):
         some = sightings[start : start + PER_RESIDUAL_FIGURE]
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
         before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
-        figures.append(_bars(None, labels, before, after, say))
+        figures.append(_bars(None, labels, before, after))
     return figures
 
 
-def pos_error_figures_of(sightings: Sequence[SightingCheck], say: Say = unchanged) -> list[Figure]:
+def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
     """Estimated POS errors with their prior, in as many figures as fill a page each."""
     return [
-        _pos_errors(sightings[start : start + PER_RESIDUAL_FIGURE], say)
+        _pos_errors(sightings[start : start + PER_RESIDUAL_FIGURE])
         for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
     ]
 
 
-def _pos_errors(sightings: Sequence[SightingCheck], say: Say) -> Figure:
-    """A row a sighting, a panel a component: error, its 2 sigma, and the prior 2 sigma."""
+def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
+    """A row for each sighting, a panel for each component: error, 2 sigma, prior 2 sigma."""
     figure = blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     values, prior, after = (
@@ -196,9 +200,9 @@ def _pos_errors(sightings: Sequence[SightingCheck], say: Say) -> Figure:
         )
         axes.set_xlim(-widest, widest)
         axes.locator_params(axis="x", nbins=3)
-        dress(axes, say("mm" if k < 3 else "0.001 deg"), "")
+        dress(axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed(0.001, 3)), "")
         axes.grid(False)
-        axes.set_title(say(name), fontsize=TEXT, color=INK)
+        axes.set_title(gettext(name), fontsize=TEXT, color=INK)
         axes.tick_params(axis="y", length=0)
     panels[0].set_yticks(at, [f"{short_name(s.target)}  {short_name(s.line)}" for s in sightings])
     panels[0].set_ylim(len(sightings) - 0.5, -0.5)
@@ -217,28 +221,25 @@ def svg_of(figure: Figure) -> bytes:
 
 
 def pictures_of(
-    draw: Callable[..., Figure | Sequence[Figure]], *values: object, say: Translator | None = None
-) -> list[bytes]:
-    """The figures that ``draw`` makes of a report's values, as SVG, in English or as said.
+    draw: Callable[..., Figure | Sequence[Figure]], *values: object
+) -> tuple[bytes, ...]:
+    """The figures that ``draw`` makes of a report's values, as SVG, in the language in use.
 
-    Nearly all of a report's time goes into them, and its three forms show the same ones, as does
-    the next report on a plane that stayed as it was: the last ones are kept.
+    Nearly all of a report's time goes into them, and its three forms have the same ones, as does
+    the next report with a plane that did not change: the last ones are kept.
     """
-    svgs, unknown = drawn(draw, pickle.dumps(values), say.catalogue.code if say else "en")
-    if say is not None:
-        say.missed(unknown)
-    return list(svgs)
+    return drawn(draw, pickle.dumps(values), current_language())
 
 
 @lru_cache(maxsize=64)  # those of a few reports, some megabytes
 def drawn(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
-) -> tuple[tuple[bytes, ...], tuple[str, ...]]:
-    """`pictures_of` pickled values, equal to the last digit and sign, and what stayed English."""
-    say = Translator(catalogue_of(language))
-    made = draw(*pickle.loads(values), **({} if language == "en" else {"say": say}))
-    figures = [made] if isinstance(made, Figure) else made
-    return tuple(map(svg_of, figures)), say.unknown
+) -> tuple[bytes, ...]:
+    """`pictures_of` pickled values, equal to the last digit and sign."""
+    with in_language(language):
+        made = draw(*pickle.loads(values))
+        figures = [made] if isinstance(made, Figure) else made
+        return tuple(map(svg_of, figures))
 
 
 def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
@@ -251,7 +252,7 @@ def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
 
 
 def dress(axes: Axes, x_label: str, y_label: str) -> None:
-    """Labels, grid and spines as all figures have them."""
+    """Set labels, grid, spines and number format common to all figures."""
     axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
     axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
     axes.tick_params(labelsize=SMALL, colors=INK, length=3)
@@ -259,6 +260,21 @@ def dress(axes: Axes, x_label: str, y_label: str) -> None:
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color("#999999")
+    for axis in (axes.xaxis, axes.yaxis):
+        if isinstance(axis.get_major_formatter(), ScalarFormatter):
+            axis.set_major_formatter(LocalisedFormatter())
+
+
+class LocalisedFormatter(ScalarFormatter):
+    """Numbers beside an axis with the decimal sign and the minus sign of the language in use."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        """Text of one number."""
+        return localised(super().__call__(x, pos))
+
+    def format_data_short(self, value: float) -> str:  # type: ignore[override]
+        """Text of a number below the pointer."""
+        return localised(super().format_data_short(value))
 
 
 @cache
@@ -269,13 +285,13 @@ def drawable() -> frozenset[int]:
 
 
 def _plain(text: str) -> str:
-    """Text that matplotlib neither takes for mathematics nor lacks letters for."""
+    """The text without mathematics and without letters that the font does not have."""
     shown = "".join(letter if ord(letter) in drawable() else "\u25a1" for letter in text)
     return shown.replace("$", r"\$")
 
 
 def short_name(name: str) -> str:
-    """A name of the user's, cut where it would push the plot aside."""
+    """A name of the user, cut to a length that leaves space for the plot."""
     return _plain(name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026")
 
 
@@ -284,22 +300,23 @@ def _bars(
     labels: Sequence[str],
     before: Sequence[float],
     after: Sequence[float],
-    say: Say = unchanged,
 ) -> Figure:
     figure = blank(figure, (6.3, 0.7 + 0.26 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (
-        (-0.2, before, BEFORE, "before"),
-        (0.2, after, AFTER, "after"),
+        (-0.2, before, BEFORE, gettext("before")),
+        (0.2, after, AFTER, gettext("after")),
     ):
         millimetres = 1000 * np.asarray(values)
-        bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=say(label))
-        axes.bar_label(bars, fmt="%.1f", fontsize=SMALL - 1, color=INK, padding=2)
+        bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
+        axes.bar_label(
+            bars, fmt=lambda each: fixed(each, 1), fontsize=SMALL - 1, color=INK, padding=2
+        )
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
     axes.margins(x=0.1)
-    dress(axes, say("RMS distance to the target's surface (mm)"), "")
+    dress(axes, gettext("RMS distance from the surface of the target (mm)"), "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
     figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)

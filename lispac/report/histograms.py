@@ -1,6 +1,6 @@
 """Histograms of the distances on a validation plane, before and after over each other."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,9 +9,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 from numpy.typing import ArrayLike, NDArray
 
+from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
 from lispac.report.validation_values import ValidationPlane
+from lispac.report.wording import grouped, localised
 from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.bins import merged
 from lispac.validation.results import PlaneComparison
@@ -19,21 +21,27 @@ from lispac.validation.results import PlaneComparison
 Array = NDArray[np.float64]
 
 BARS = 60
-"""Drawn across the picture, at the most."""
+"""Largest number of bars in a picture."""
 NEAR, WORTH_IT = 1.6, 0.4
-"""What came after is enlarged beside the whole: so many of its 95th percentiles, where that is less
-than this share of the whole."""
+"""The distances after are enlarged beside the whole: width in their 95th percentiles, and the share
+of the whole below which that is done."""
 COLOURS = (BEFORE, AFTER)
-_WHOLE, _NEAR = "Distance between lines (mm); the last bin holds all beyond", "Enlarged (mm)"
+_WHOLE = N_("Distance between lines (mm); last bin: all larger ones")
+_NEAR = N_("Enlarged (mm)")
+_POOLED: Mapping[str, str] = {
+    "reciprocal pairs": N_("{plane}, reciprocal pairs, {model}"),
+    "all pairs": N_("{plane}, all pairs, {model}"),
+}
+"""Title by the pairs of lines that a plane's distances are from."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Counted:
-    """What is drawn: fine bins of both states, and words for each."""
+    """Fine bins of both states, and a text of the legend for each."""
 
     edges: ArrayLike
     counts: Sequence[ArrayLike]
-    words: Sequence[str]
+    legend: Sequence[str]
     total: int
     near: float
 
@@ -51,54 +59,54 @@ def histogram_figure(
     ----------
     share : bool
         Draw the share of the points in each millimetre instead of their number in each bin.
+    say : callable
+        Translates the English name of the model of the surface.
     """
     before, after = comparison.before, comparison.after
     counted = _Counted(
         comparison.bin_edges,
         (comparison.counts_before, comparison.counts_after),
         [
-            _words(state, each.n, each.median, each.rms, each.p95)
-            for state, each in (("before", before), ("after", after))
+            _legend(template, each.n, each.median, each.rms, each.p95)
+            for template, each in ((_BEFORE, before), (_AFTER, after))
         ],
         before.n,
         NEAR * after.p95,
     )
-    told = f"{comparison.pooled_from}, {comparison.model.in_words}"
-    return _drawn(figure, comparison.name, told, counted, share, say)
+    title = _title(comparison.name, comparison.pooled_from, say(comparison.model.in_words))
+    return _drawn(figure, title, counted, share)
 
 
-def validation_figure(plane: ValidationPlane, say: Say = unchanged) -> Figure:
+def validation_figure(plane: ValidationPlane) -> Figure:
     """`histogram_figure` of a report's content."""
     before, after = plane.before, plane.after
     counted = _Counted(
         plane.bin_edges_m,
         (plane.counts_before, plane.counts_after),
         [
-            _words(state, each.n, each.median_m, each.rms_m, each.p95_m)
-            for state, each in (("before", before), ("after", after))
+            _legend(template, each.n, each.median_m, each.rms_m, each.p95_m)
+            for template, each in ((_BEFORE, before), (_AFTER, after))
         ],
         before.n,
         NEAR * after.p95_m,
     )
-    told = f"{plane.pooled_from}, {plane.measured_to}"
-    return _drawn(None, plane.name, told, counted, False, say)
+    title = _title(plane.name, plane.pooled_from, plane.measured_to)
+    return _drawn(None, title, counted, share=False)
 
 
-def _words(state: str, n: int, median: float, rms: float, p95: float) -> str:
-    return (
-        f"{state}: n {n:,}\nmedian {1000 * median:.1f}, RMS {1000 * rms:.1f}, "
-        f"95 % {1000 * p95:.1f} mm"
-    )
+def _title(name: str, pooled_from: str, model: str) -> str:
+    return gettext(_POOLED[pooled_from], plane=short_name(name), model=model)
 
 
-def _drawn(
-    figure: Figure | None,
-    name: str,
-    told: str,
-    counted: _Counted,
-    share: bool,
-    say: Say = unchanged,
-) -> Figure:
+_BEFORE = N_("before: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
+_AFTER = N_("after: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
+
+
+def _legend(template: str, count: int, median: float, rms: float, p95: float) -> str:
+    return gettext(template, count=count, median=median, rms=rms, p95=p95)
+
+
+def _drawn(figure: Figure | None, title: str, counted: _Counted, share: bool) -> Figure:
     figure = blank(figure, (6.3, 2.5))
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < WORTH_IT * top
@@ -106,32 +114,36 @@ def _drawn(
         places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=USUAL))
     else:
         places = [figure.subplots(gridspec_kw=USUAL)]
-    said, size = [say(words) for words in counted.words], SMALL if enlarged else TEXT
-    amount = "Share of the points\n(% per mm)" if share else "Points"
+    size = SMALL if enlarged else TEXT
+    amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
     for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):
-        dress(axes, say(across), say(amount) if axes is places[0] else "")
-        told_there = said if axes is places[0] else ()
-        _Bars(axes, counted, share, told_there, size, say).show(reach)
-    places[0].set_title(
-        f"{short_name(name)}, {say(told)}", fontsize=TEXT + 1, color=INK, loc="left"
-    )
+        dress(axes, gettext(across), amount if axes is places[0] else "")
+        legend = counted.legend if axes is places[0] else ()
+        _Bars(axes, counted, share, legend, size).show(reach)
+    places[0].set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
     patches = [patch for patch in places[0].patches if patch.get_fill()]
     places[-1 if enlarged else 0].set_title("")
     places[0].legend(
-        patches, said, loc="upper right", fontsize=size, frameon=False, labelcolor=INK,
+        patches, list(counted.legend), loc="upper right", fontsize=size, frameon=False,
+        labelcolor=INK,
     )  # fmt: skip
     return figure
 
 
+def _count(value: float) -> str:
+    """A number of points, or a share, with as many decimals as it needs."""
+    whole, _, decimals = f"{value:.12g}".partition(".")
+    return grouped(value, len(decimals)) if whole.lstrip("-").isdigit() else localised(whole)
+
+
 class _Bars:
-    """Both states in one set of axes, in bins that suit what is seen of them."""
+    """Both states in one set of axes, with bins that suit the visible part."""
 
     def __init__(
-        self, axes: Axes, counted: _Counted, share: bool, words: Sequence[str], size: float,
-        say: Say,
-    ) -> None:  # fmt: skip
+        self, axes: Axes, counted: _Counted, share: bool, legend: Sequence[str], size: float
+    ) -> None:
         self._axes, self._counted, self._share = axes, counted, share
-        self._words, self._size = words, size
+        self._legend, self._size = legend, size
         self._patches = [
             [
                 StepPatch([0.0], [0.0, 1.0], facecolor=colour, alpha=0.5, edgecolor="none"),
@@ -141,7 +153,7 @@ class _Bars:
         ]
         for patch in (each for pair in self._patches for each in pair):
             axes.add_patch(patch)
-        axes.yaxis.set_major_formatter(lambda value, _: say(f"{value:,.12g}"))
+        axes.yaxis.set_major_formatter(lambda value, _: _count(value))
         axes.callbacks.connect("xlim_changed", lambda _axes: self._follow())
 
     def show(self, reach: float) -> None:
@@ -161,5 +173,5 @@ class _Bars:
             for patch in patches:
                 patch.set_data(values, edges)
             highest = np.maximum(highest, values) if highest.size else values
-        top = top_below_legend(self._axes, edges, highest, self._words, self._size)
+        top = top_below_legend(self._axes, edges, highest, self._legend, self._size)
         self._axes.set_ylim(0.0, top)

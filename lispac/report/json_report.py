@@ -1,4 +1,4 @@
-"""The report for machines: every figure in full precision, keys with their units."""
+"""The report as JSON: numbers in full precision, keys with their units."""
 
 import json
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Room for a legend inside a histogram, so that it lies on no bar."""
+"""Space for a legend inside a histogram, so that it covers no bar."""
 
 from collections.abc import Sequence
 
@@ -11,20 +11,19 @@ from lispac.report.text_width import POINTS_PER_INCH, width_of
 Array = NDArray[np.float64]
 
 HANDLE, ROW, AROUND = 4.5, 1.35, 2.5
-"""In sizes of its letters: a legend's width beside its words, the height of a line, and its
-margins."""
+"""In font sizes: width of a legend besides its text, height of a line, and margins."""
 USUAL = {"left": 0.09, "right": 0.99, "bottom": 0.17, "top": 0.9}
-"""Where axes are about to be: before a figure is laid out they are asked how large they are."""
+"""Expected position of the axes, which is needed before the figure is laid out."""
 SPARE = 1.08
 """Top of the axes over the highest bar."""
 MOST = 0.6
-"""Of the height of the axes; a legend that needs more covers what it covers."""
+"""Largest share of the height of the axes that is kept free; a larger legend covers bars."""
 
 
 def top_below_legend(
     axes: Axes, edges: Array, heights: Array, words: Sequence[str], size: float
 ) -> float:
-    """Where the axes end at the top, so that bars keep clear of a legend at the upper right.
+    """Upper limit of the axes, so that bars keep clear of a legend at the upper right.
 
     Parameters
     ----------

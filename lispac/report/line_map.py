@@ -1,22 +1,24 @@
-"""The map of what lies between the lines: every place that two lines share, from above."""
+"""The map of the distances between lines, from above."""
 
 from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from lispac.report.figures import INK, SMALL, TEXT, blank, dress
+from lispac.language import gettext
+from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank, dress
+from lispac.report.wording import shortest
 from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"
-"""Light where lines meet, dark where they are far apart; told apart by everyone."""
+"""Light where lines coincide, dark where they are far apart; for any colour vision."""
 OUTER = 95.0
-"""Percentile of the differences that ends the colours."""
+"""Percentile of the differences at the end of the colour scale."""
 
 
 def line_map(
-    pairs: Sequence[LineDifference], figure: Figure | None = None, say: Say = unchanged
+    pairs: Sequence[LineDifference], figure: Figure | None = None, _say: Say = unchanged
 ) -> Figure:
     """Places of some pairs of lines, coloured by how far the lines are apart there.
 
@@ -37,11 +39,9 @@ def line_map(
         linewidths=0, rasterized=True,
     )  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.xaxis.set_major_formatter(
-        lambda value, _: f"{0.0 - value:g}".replace("-", "\N{MINUS SIGN}")
-    )
-    dress(axes, say("West (m)"), say("North (m)"))
-    bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8)
-    bar.set_label(say("Distance between two lines (mm)"), fontsize=TEXT, color=INK)
+    axes.xaxis.set_major_formatter(lambda value, _: shortest(0.0 - value))
+    dress(axes, gettext("West (m)"), gettext("North (m)"))
+    bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8, format=LocalisedFormatter())
+    bar.set_label(gettext("Distance between two lines (mm)"), fontsize=TEXT, color=INK)
     bar.ax.tick_params(labelsize=SMALL, colors=INK)
     return figure

@@ -1,4 +1,4 @@
-"""Where on a plane two lines lie apart: pictures of the distances, before and after."""
+"""Maps of the distances between two lines on a plane, before and after."""
 
 from collections.abc import Sequence
 
@@ -8,31 +8,39 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from lispac.report.figures import INK, SMALL, TEXT, blank, dress, short_name
+from lispac.language import N_, gettext
+from lispac.report.figures import (
+    INK,
+    SMALL,
+    TEXT,
+    LocalisedFormatter,
+    blank,
+    dress,
+    short_name,
+)
 from lispac.report.text_width import cut, fitted
 from lispac.report.validation_values import Mapped, ValidationPlane
-from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.results import PlaneComparison
 
 Array = NDArray[np.float64]
 
-STATES = ("before", "after", "after, own scale")
+STATES = N_("before"), N_("after"), N_("after, own scale")
 COLOURS = "RdBu_r"
-"""Red where the first line lies nearer to the vessel, white where the two fall on each other."""
+"""Red where the first line is nearer to the vessel, white where the two coincide."""
 WITHIN = 98.0
-"""Percentile of the distances that ends the colours."""
+"""Percentile of the distances at the end of the colour scale."""
 LEAST = 1e-4
 PIXELS = 10
-"""Along a cell's side: viewers blur the pixels of an image, so a cell has to be many."""
+"""Pixels along the side of a cell; viewers blur single pixels of an image."""
 WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
-"""Inches: of the figure, and the height of a picture."""
+"""Width of the figure, largest and smallest height of a picture; inches."""
 LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
 TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
 """Inches around and between the pictures."""
 CLEAR = 0.95
-"""Share of the room from panel to panel that a text may fill."""
+"""Largest share of the distance between panels that a text may fill."""
 BESIDE = 1.4
-"""Height over width of a plane beyond which its pairs stand beside each other."""
+"""Height over width of a plane beyond which its pairs are drawn beside each other."""
 
 
 def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
@@ -43,19 +51,20 @@ def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Fig
     return _maps(figure, comparison.name, [Mapped.of(each) for each in comparison.maps])
 
 
-def map_figure_of(plane: ValidationPlane, say: Say = unchanged) -> Figure:
+def map_figure_of(plane: ValidationPlane) -> Figure:
     """`map_figure` of a report's content."""
-    return _maps(None, plane.name, plane.maps, say)
+    return _maps(None, plane.name, plane.maps)
 
 
-def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = unchanged) -> Figure:
+def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped]) -> Figure:
     if not maps:
         figure = blank(figure, (WIDTH, 1.0))
         axes = figure.add_subplot()
         axes.set_axis_off()
+        missing = gettext("{plane}: no map; validate again", plane=short_name(name))
         axes.text(
-            0.5, 0.5, f"{short_name(name)}: {say('no map; validate again')}", ha="center",
-            va="center", fontsize=TEXT, color=INK, transform=axes.transAxes,
+            0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT, color=INK,
+            transform=axes.transAxes,
         )  # fmt: skip
         return figure
     sides = np.max([_size(each) for each in maps], axis=0)
@@ -63,22 +72,22 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = u
     figure, places = _panels(figure, len(maps), sides, tall)
     common = max(_end(each.before_m + each.after_m) for each in maps)
     own = max(_end(each.after_m) for each in maps)
-    named, size = _named(maps, tall, figure, places[0][0], say)
+    named, size = _named(maps, tall, figure, places[0][0])
+    across, up = gettext("Across (m)"), gettext("Up (m)")
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
         before, after = _grids(pair)
-        words = named[k]
         for axes, values, end, state in zip(
             row, (before, after, after), (common, common, own), STATES, strict=True
         ):
             _draw(axes, values, end, pair.cell_m)
             last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
-            dress(axes, say("Across (m)") if last else "", say("Up (m)") if first else "")
+            dress(axes, across if last else "", up if first else "")
             axes.grid(False)
-            title = say(state) if not k else ""
+            title = gettext(state) if not k else ""
             if tall:
-                title = f"{_two_lines(say(state))}\n{words}"
+                title = f"{_two_lines(gettext(state))}\n{named[k]}"
             elif first:
-                axes.set_ylabel(f"{words}\n{say('Up (m)')}", fontsize=size, color=INK)
+                axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK)
             axes.set_title(title, fontsize=size if tall else SMALL, color=INK)
     for columns in ((0, 1), (2,)):
         _bar(figure, [row[k] for row in places for k in columns])
@@ -89,19 +98,21 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped], say: Say = u
 
 
 def _named(
-    maps: Sequence[Mapped], tall: bool, figure: Figure, panel: Axes, say: Say
+    maps: Sequence[Mapped], tall: bool, figure: Figure, panel: Axes
 ) -> tuple[list[str], float]:
-    """What each pair is called, and the size of the letters, so that none meets its neighbour."""
+    """Name of each pair, and the size of the letters, so that none meets its neighbour."""
     box, inches = panel.get_position(original=True), figure.get_size_inches()
     room = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
     room *= CLEAR
-    others = [_two_lines(say(s)) for s in STATES] if tall else [say("Up (m)")]
-    for between in (" ", "\n"):
+    others = [_two_lines(gettext(s)) for s in STATES] if tall else [gettext("Up (m)")]
+    for template in (N_("{line}\nfrom {other}"), N_("{line}\nfrom\n{other}")):
         named = [
-            f"{cut(short_name(each.line_a), room)}\n{say('from')}{between}"
-            f"{cut(short_name(each.line_b), room)}"
+            gettext(
+                template,
+                line=cut(short_name(each.line_a), room), other=cut(short_name(each.line_b), room),
+            )
             for each in maps
-        ]
+        ]  # fmt: skip
         if (size := fitted(named, room, SMALL)) == SMALL:
             break
     return named, min(size, fitted(others, room, SMALL))
@@ -138,7 +149,7 @@ def _panels(
 
 
 def _bar(figure: Figure, panels: Sequence[Axes]) -> None:
-    """The colours of some panels below them, in millimetres."""
+    """Colour scale of some panels below them, in millimetres."""
     boxes = [axes.get_position(original=True) for axes in panels]
     left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
     inch = 1 / figure.get_size_inches()[1]
@@ -146,7 +157,7 @@ def _bar(figure: Figure, panels: Sequence[Axes]) -> None:
     place = (left + spare, min(box.y0 for box in boxes) - 0.52 * inch, right - left - 2 * spare)
     bar = figure.colorbar(
         panels[0].images[0], cax=figure.add_axes((*place, 0.09 * inch)), orientation="horizontal",
-        extend="both",
+        extend="both", format=LocalisedFormatter(),
     )  # fmt: skip
     bar.set_label("mm", fontsize=SMALL, color=INK)
     bar.locator = MaxNLocator(5)

@@ -1,56 +1,79 @@
-"""The section on alternative methods, beside the targets (as the thesis's table 4.4)."""
+"""The section on alternative methods, beside the targets (as table 4.4 of the thesis)."""
+
+from collections.abc import Mapping
 
 from lispac.adjustment.result import ANGLES
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, rows
 from lispac.report.opinion_values import MethodAnswer
 from lispac.report.values import ReportContent
-from lispac.report.wording import angle, signed
+from lispac.report.wording import angle, fixed, signed, title
+
+METHODS: Mapping[str, str] = {
+    "targets": N_("Targets"),
+    "natural planes": N_("Natural planes"),
+    "targetless": N_("Targetless"),
+    "patch test": N_("Patch test"),
+}
+"""Names of the methods, as they begin a row of a table."""
+
+EXPLAINED = N_(
+    "Other methods on the same lines: adjustment with the validation planes as targets (natural "
+    "planes), surfaces of the scene that were not picked (targetless), rotation of the lines until "
+    "they agree on objects (patch test). None of them uses the targets."
+)
 
 
 def second_opinions(content: ReportContent) -> list[Block]:
-    """The answers side by side, and what they differ by."""
+    """Results of the methods side by side, and their differences."""
     found = content.methods
     if len(found) < 2:
         return []
-    remarks = [f"{each.method.capitalize()}: {remark}" for each in found for remark in each.remarks]
+    remarks = [
+        gettext("{name}: {remark}", name=_method(each), remark=remark)
+        for each in found
+        for remark in each.remarks
+    ]
     blocks: list[Block] = [
-        Paragraph(
-            "What other methods say of the same lines: the validation planes adjusted as if they "
-            "were targets (natural planes), surfaces of the scene that no one picked (targetless), "
-            "lines turned until they meet on objects (patch test). The targets take part in none "
-            "of them."
-        ),
-        _answers(found),
+        Paragraph(gettext(EXPLAINED)),
+        _results(found),
         _differences(found),
         Bullets(content.methods_in_words),
     ]
     return [*blocks, Bullets(tuple(remarks))] if remarks else blocks
 
 
-def _answers(found: tuple[MethodAnswer, ...]) -> Table:
-    columns = [Column("Method", "left"), Column("Lines"), Column("Surfaces")]
+def _method(each: MethodAnswer) -> str:
+    return gettext(METHODS[each.method])
+
+
+def _results(found: tuple[MethodAnswer, ...]) -> Table:
+    columns = [
+        Column(gettext("Method"), "left"), Column(gettext("Lines")), Column(gettext("Surfaces"))
+    ]  # fmt: skip
     for name in ANGLES:
-        columns += [Column(name.capitalize()), Column("1 sigma")]
+        columns += [Column(title(name)), Column(gettext("1 sigma"))]
     cells = []
     for each in found:
-        row = [each.method.capitalize(), str(each.lines), str(each.surfaces)]
+        row = [_method(each), fixed(each.lines, 0), fixed(each.surfaces, 0)]
         for value, sigma in zip(each.boresight_deg, each.sigma_deg, strict=True):
-            row += [angle(value), f"{sigma:.4f}"]
+            row += [angle(value), fixed(sigma, 4)]
         cells.append(row)
-    return Table("The boresight by each method (deg)", tuple(columns), rows(cells))
+    return Table(gettext("Boresight by each method (deg)"), tuple(columns), rows(cells))
 
 
 def _differences(found: tuple[MethodAnswer, ...]) -> Table:
-    columns = [Column("Method", "left")]
+    columns = [Column(gettext("Method"), "left")]
     for name in ANGLES:
-        columns += [Column(name.capitalize()), Column("over its\nsigma")]
+        columns += [Column(title(name)), Column(gettext("over its\nsigma"))]
     cells = []
     for each in found:
         if each.difference_deg is None or each.over_sigma is None:
             continue
-        row = [each.method.capitalize()]
+        row = [_method(each)]
         for value, over in zip(each.difference_deg, each.over_sigma, strict=True):
             row += [angle(value), signed(over, 1)]
-        cells.append([*row, "yes" if each.differ else "no"])
-    columns.append(Column("Differs"))
-    return Table(f"Differences from the {found[0].method} (deg)", tuple(columns), rows(cells))
+        cells.append([*row, gettext("yes") if each.differ else gettext("no")])
+    columns.append(Column(gettext("Differs")))
+    head = gettext("Differences from the first method (deg): {method}", method=_method(found[0]))
+    return Table(head, tuple(columns), rows(cells))

@@ -1,4 +1,4 @@
-"""The values of a report that come from other methods."""
+"""Values of a report from alternative methods."""
 
 from dataclasses import dataclass
 
@@ -12,7 +12,7 @@ Three = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class MethodAnswer:
-    """What a method says; the differences are from the first one, and of that one there are none.
+    """Result of a method; the differences are from the first method, which has none.
 
     Attributes
     ----------
@@ -35,13 +35,13 @@ class MethodAnswer:
     @classmethod
     def of(cls, answer: Answer) -> "MethodAnswer":
         """The same figures."""
-        said, against = answer.calibration, answer.against
+        calibration, against = answer.calibration, answer.against
         return cls(
             answer.method,
             answer.lines,
             answer.surfaces,
-            _three(np.degrees(said.boresight)),
-            _three(np.degrees(said.sigma)),
+            _three(np.degrees(calibration.boresight)),
+            _three(np.degrees(calibration.sigma)),
             None if against is None else _three(np.degrees(against.angles)),
             None if against is None else _three(against.significance),
             None if against is None else against.probability,

@@ -1,4 +1,4 @@
-"""What can be chosen of a report: language, page, whose convention values are in, letterhead."""
+"""Options of a report: language, page, convention of another program, letterhead."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -6,17 +6,17 @@ from typing import Literal
 
 Page = Literal["a4", "letter"]
 PAGES: dict[Page, str] = {"a4": "A4", "letter": "Letter"}
-"""Sizes of paper and what they are called."""
+"""Sizes of paper with their names."""
 
 
 @dataclass(frozen=True)
 class ReportOptions:
-    """How a report is wanted.
+    """Options of a report.
 
     Attributes
     ----------
-    convention : key of the program whose convention the boresight is stated in, besides this
-        program's; empty for none
+    convention : key of another program in whose convention the boresight is also given; empty for
+        none
     logo : PNG or SVG file at the top of page one
     company : line or lines beside it
     heading : text under the title

@@ -1,4 +1,4 @@
-"""The report as PDF, set by typst.
+"""The report as PDF, typeset by typst.
 
 Typst comes as one wheel with its fonts inside: no browser, no TeX, no network, and the same bytes
 on every machine.
@@ -48,7 +48,7 @@ def write_pdf(
 
 @dataclass(frozen=True)
 class Preview:
-    """A report to be looked at before it is saved: its pages as PNG pictures, and its PDF."""
+    """Preview of a report before it is saved: its pages as PNG pictures, and its PDF."""
 
     pages: tuple[bytes, ...]
     pdf: bytes
@@ -61,7 +61,7 @@ def preview_of(
     *,
     ppi: float,
 ) -> Preview:
-    """Set a report once, for the screen and as PDF.
+    """Typeset a report once, for the screen and as PDF.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def preview_of(
 def _typesetting(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions
 ) -> Iterator[Callable[..., Any]]:
-    """What sets the report: given ``pdf`` or ``png`` and pixels per inch, its bytes.
+    """Function that typesets the report as ``pdf`` or ``png`` with pixels per inch.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def _typesetting(
 
 
 def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
-    """Name the first picture that typst cannot draw.
+    """Raise an error with the name of the first picture that typst cannot draw.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
 
 
 def _lay_out(document: Document, folder: Path) -> str:
-    """Write text and pictures for the template into ``folder``; the text is given back.
+    """Write text and pictures for the template into ``folder`` and return the text.
 
     The template reads strings from JSON, which typst shows as they are: nothing in a name of the
     user's can be taken for a command.

@@ -1,48 +1,57 @@
 """Distances between lines against height and range, before and after."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.validation_values import Against, ValidationPlane
 from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.results import PlaneComparison
 
-SHARES = ("median", "p95")
+CURVES: Mapping[tuple[str, str], str] = {
+    ("median", "before"): N_("median before"),
+    ("p95", "before"): N_("95 % before"),
+    ("median", "after"): N_("median after"),
+    ("p95", "after"): N_("95 % after"),
+}
+"""Text of the legend by statistic and state."""
+COLOURS = {"before": BEFORE, "after": AFTER}
+STYLES = {"median": "-", "p95": "--"}
 
 
 def profile_figure(
-    comparison: PlaneComparison, figure: Figure | None = None, say: Say = unchanged
+    comparison: PlaneComparison, figure: Figure | None = None, _say: Say = unchanged
 ) -> Figure:
     """Median (full) and 95th percentile (dashed) of the distances, before and after."""
     profiles = [
         None if each is None else Against.of(each)
         for each in (comparison.by_height, comparison.by_range)
     ]
-    return _profiles(figure, comparison.name, profiles, say)
+    return _profiles(figure, comparison.name, profiles)
 
 
-def profile_figure_of(plane: ValidationPlane, say: Say = unchanged) -> Figure:
+def profile_figure_of(plane: ValidationPlane) -> Figure:
     """`profile_figure` of a report's content."""
-    return _profiles(None, plane.name, (plane.by_height, plane.by_range), say)
+    return _profiles(None, plane.name, (plane.by_height, plane.by_range))
 
 
-def _profiles(
-    figure: Figure | None, name: str, profiles: Sequence[Against | None], say: Say = unchanged
-) -> Figure:
+def _profiles(figure: Figure | None, name: str, profiles: Sequence[Against | None]) -> Figure:
     figure = blank(figure, (6.3, 2.3))
     drawn = [
-        (each, words)
-        for each, words in zip(profiles, ("Height (m)", "Range (m)"), strict=True)
+        (each, across)
+        for each, across in zip(
+            profiles, (gettext("Height (m)"), gettext("Range (m)")), strict=True
+        )
         if each is not None
     ]
     places = figure.subplots(1, max(len(drawn), 1), sharey=True, squeeze=False)[0]
-    for axes, (profile, words) in zip(places, drawn, strict=False):
-        _draw(axes, profile, say)
-        dress(axes, say(words), say("Distance (mm)") if axes is places[0] else "")
+    for axes, (profile, across) in zip(places, drawn, strict=False):
+        _draw(axes, profile)
+        dress(axes, across, gettext("Distance (mm)") if axes is places[0] else "")
         axes.set_ylim(bottom=0.0)
     if drawn:
         figure.legend(
@@ -52,21 +61,19 @@ def _profiles(
     else:
         places[0].set_axis_off()
         places[0].text(
-            0.5, 0.5, say("Made by an earlier version: validate again"), ha="center",
+            0.5, 0.5, gettext("Made by an earlier version: validate again"), ha="center",
             va="center", fontsize=TEXT, color=INK, transform=places[0].transAxes,
         )  # fmt: skip
     figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
     return figure
 
 
-def _draw(axes: Axes, profile: Against, say: Say) -> None:
+def _draw(axes: Axes, profile: Against) -> None:
     edges = np.array(profile.edges_m)
     middles = 0.5 * (edges[:-1] + edges[1:])
-    for state, colour in (("before", BEFORE), ("after", AFTER)):
-        for share, style in zip(SHARES, ("-", "--"), strict=True):
-            values = np.array(getattr(profile, f"{share}_{state}_m"), dtype=float)
-            words = {"median": "median", "p95": "95 %"}[share]
-            axes.plot(
-                middles, 1000 * values, style, color=colour, linewidth=1.2, marker="o",
-                markersize=2.5, label=say(f"{words} {state}"),
-            )  # fmt: skip
+    for (statistic, state), label in CURVES.items():
+        values = np.array(getattr(profile, f"{statistic}_{state}_m"), dtype=float)
+        axes.plot(
+            middles, 1000 * values, STYLES[statistic], color=COLOURS[state], linewidth=1.2,
+            marker="o", markersize=2.5, label=gettext(label),
+        )  # fmt: skip

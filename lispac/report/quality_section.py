@@ -1,54 +1,75 @@
-"""The table of how good each sighting is."""
+"""The table of the quality of each sighting."""
 
+from collections.abc import Mapping
+
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Column, Paragraph, Table, rows
 from lispac.report.values import ReportContent, SightingJudged
-from lispac.report.wording import known, mm
+from lispac.report.wording import degrees_unit, fixed, grouped, in_unit, known, mm
+
+LIGHTS: Mapping[str, str] = {
+    "good": N_("Good."),
+    "doubtful": N_("Doubtful."),
+    "poor": N_("Poor."),
+}
+"""Judgement of a sighting, by what the content calls it."""
+
+COLUMNS = N_(
+    "RMS: about the surface of the sighting itself. Incidence: angle between the beams and the "
+    "normal of the surface."
+)
+EXTENT = N_(
+    "Extent observed: size of the sighting over the size that the other lines show together."
+)
+BEFORE_CALIBRATION = N_(
+    "Before the calibration, RMS, curvature and flatness are not judged by what an error of the "
+    "rough boresight can explain: it bends what is seen from a moving vessel."
+)
 
 
 def quality_of_sightings(content: ReportContent) -> list[Block]:
-    """Every sighting with its figures and its light; nothing where none was judged."""
+    """Every sighting with its statistics and its judgement; nothing where none was judged."""
     if not content.qualities:
         return []
     table = Table(
-        "Quality of each sighting",
+        gettext("Quality of each sighting"),
         (
-            Column("Target", "left"),
-            Column("Line", "left"),
-            Column("Points"),
-            Column("RMS\n(mm)"),
-            Column("Range\n(m)"),
-            Column("Points\nper m²"),
-            Column("Incidence\n(deg)"),
-            Column("Covered\n(%)"),
-            Column("Shown\n(%)"),
-            Column("Quality", "left", wide=True),
+            Column(gettext("Target"), "left"),
+            Column(gettext("Line"), "left"),
+            Column(gettext("Points")),
+            Column(in_unit(gettext("RMS"), "mm")),
+            Column(in_unit(gettext("Range"), "m")),
+            Column(gettext("Points\nper m²")),
+            Column(in_unit(gettext("Incidence"), degrees_unit())),
+            Column(in_unit(gettext("Covered"), "%")),
+            Column(gettext("Extent\nobserved (%)")),
+            Column(gettext("Quality"), "left", wide=True),
         ),
         rows(
             [
                 each.target,
                 each.line,
-                f"{each.points:,}",
+                grouped(each.points),
                 mm(each.rms_m),
-                f"{each.range_m:.1f}",
-                known(each.density_per_m2, lambda value: f"{value:,.0f}"),
-                known(each.incidence_deg, lambda value: f"{value:.0f}"),
-                f"{100 * each.coverage:.0f}",
-                known(each.share_shown, lambda value: f"{100 * value:.0f}"),
-                " ".join((f"{each.light.capitalize()}.", *each.reasons, *_edited(each))),
+                fixed(each.range_m, 1),
+                known(each.density_per_m2, grouped),
+                known(each.incidence_deg, lambda value: fixed(value, 0)),
+                fixed(100 * each.coverage, 0),
+                known(each.share_shown, lambda value: fixed(100 * value, 0)),
+                " ".join((gettext(LIGHTS[each.light]), *each.reasons, *_edited(each))),
             ]
             for each in content.qualities
         ),
     )
-    told = "RMS about the sighting's own surface; incidence counts from its normal."
+    explained = [COLUMNS]
     if any(each.share_shown is not None for each in content.qualities):
-        told += " Shown is its size by what the other lines show of it."
+        explained.append(EXTENT)
     if not content.calibrated:
-        told += (
-            " What an error of the rough boresight can explain does not count in RMS, curvature and"
-            " flatness: it bends what is seen from a moving vessel."
-        )
-    return [table, Paragraph(told)]
+        explained.append(BEFORE_CALIBRATION)
+    return [table, *(Paragraph(gettext(each)) for each in explained)]
 
 
 def _edited(sighting: SightingJudged) -> tuple[str, ...]:
-    return ("Its points were edited by hand.",) if sighting.edited_by_hand else ()
+    if not sighting.edited_by_hand:
+        return ()
+    return (gettext("Its points were edited by hand."),)

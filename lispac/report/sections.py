@@ -1,10 +1,11 @@
-"""The sections of the report: a content's numbers put into tables and sentences.
+"""The first page's results, and the sections on targets and residuals, site and lines.
 
 Angles have four decimals in degrees, distances one in millimetres.
 """
 
 from collections.abc import Sequence
 
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_section import distance_table
@@ -16,186 +17,227 @@ from lispac.report.values import (
 )
 from lispac.report.wording import (
     angle,
-    count,
+    degrees_unit,
+    fixed,
+    grouped,
     heading,
+    in_unit,
+    interval,
     known,
-    listed,
-    minus,
     mm,
     parameter,
     quantity,
     signed,
+    title,
+)
+
+COMMON_SURFACE = N_(
+    "RMS and mean are distances from the surface that all lines have in common. After the "
+    "adjustment they still contain the POS error of each sighting, which no boresight removes."
+)
+NOISE_FACTOR = N_(
+    "Noise factor: LiDAR noise found in the residuals, without POS errors, over the given noise. "
+    "Where it is above 1, the sigmas of the angles are computed with it."
+)
+TRAJECTORY_COLUMNS = N_(
+    "Roll and pitch: motion of the vessel (standard deviation). The last four columns are the "
+    "largest 1 sigma of the POS on the line, as given."
 )
 
 
 def summary(content: ReportContent) -> list[Block]:
-    """The answer on page one."""
+    """The results on page one."""
     blocks: list[Block] = [_angle_table(content)]
     adjustment = content.adjustment
     if adjustment is not None:
         if adjustment.rotation_in_words:
             blocks.append(Paragraph(adjustment.rotation_in_words))
-        targets = count(len(adjustment.targets), "target")
-        blocks.append(
-            Paragraph(
-                f"From {adjustment.points:,} points of {targets} in "
-                f"{count(len(adjustment.sightings), 'sighting')} on "
-                f"{count(len({s.line for s in adjustment.sightings}), 'line')}: RMS distance to "
-                f"the targets' surfaces {mm(adjustment.rms_before_m)}\u00a0mm before, "
-                f"{mm(adjustment.rms_after_m)}\u00a0mm after."
-            )
-        )
+        blocks.append(Paragraph(_fit(adjustment)))
         extra = [_with_sigma(p) for p in adjustment.parameters if p.value is not None]
         if extra:
             blocks.append(
                 Paragraph(
-                    f"The boresight goes with these values, estimated with it: {listed(extra)}."
+                    gettext(
+                        "Estimated together with the boresight, which holds with these values "
+                        "only: {values:names}.",
+                        values=extra,
+                    )
                 )
             )
     if content.validation:
         blocks.append(
             distance_table(
-                "Validation: distances between lines on planes not used in the adjustment (mm)",
-                [Column("Plane", "left")],
+                gettext(
+                    "Validation: distances between lines on planes not used in the adjustment (mm)"
+                ),
+                [Column(gettext("Plane"), "left")],
                 [((plane.name,), plane.before, plane.after) for plane in content.validation],
             )
         )
     against = content.absolute
     if against is not None and not against.together.after.mean_significant:
-        blocks.append(Paragraph(f"Checked against {against.reference}: {against.in_words[0]}"))
+        finding = against.in_words[0]
+        checked = gettext(
+            "Checked against {reference}: {finding}", reference=against.reference, finding=finding
+        )
+        blocks.append(Paragraph(checked))
     # The formula breaks between its factors alone
-    convention = content.settings.convention.replace(" = ", "\u00a0=\u00a0")
+    convention = gettext(content.settings.convention).replace(" = ", "\u00a0=\u00a0")
     blocks.append(Paragraph(convention.replace("·", "·\u200b")))
     return blocks
+
+
+def _fit(adjustment: Adjustment) -> str:
+    return gettext(
+        "RMS distance of {points:n} points from the surfaces of the targets: "
+        "{before:mm.1}\u00a0mm before, {after:mm.1}\u00a0mm after. Targets: {targets:n}; "
+        "sightings: {sightings:n}; lines: {lines:n}.",
+        points=adjustment.points, before=adjustment.rms_before_m, after=adjustment.rms_after_m,
+        targets=len(adjustment.targets), sightings=len(adjustment.sightings),
+        lines=len({s.line for s in adjustment.sightings}),
+    )  # fmt: skip
 
 
 def _with_sigma(found: ExtraParameter) -> str:
     assert found.value is not None
     assert found.sigma is not None
-    value = quantity(found.name, found.value, sign=True)
-    return f"{parameter(found.name)} {value} (1\u00a0sigma {quantity(found.name, found.sigma)})"
+    return gettext(
+        "{name} {value} (1\u00a0sigma {sigma})",
+        name=parameter(found.name),
+        value=quantity(found.name, found.value, sign=True),
+        sigma=quantity(found.name, found.sigma),
+    )
 
 
 def _angle_table(content: ReportContent) -> Table:
-    columns = [Column("Angle", "left"), Column("Prior\n(deg)")]
-    cells = [[a.name.capitalize(), angle(a.prior_deg)] for a in content.angles]
+    deg = degrees_unit()
+    columns = [Column(gettext("Angle"), "left"), Column(in_unit(gettext("Prior"), deg))]
+    cells = [[title(a.name), angle(a.prior_deg)] for a in content.angles]
     if content.calibrated:
         columns += [
-            Column("Estimated\n(deg)"), Column("1 sigma\n(deg)"), Column("95 % interval\n(deg)"),
-        ]  # fmt: skip
+            Column(in_unit(gettext("Estimated"), deg)),
+            Column(in_unit(gettext("1 sigma"), deg)),
+            Column(in_unit(gettext("95 % interval"), deg)),
+        ]
         for row, a in zip(cells, content.angles, strict=True):
             row += [
                 known(a.estimated_deg, angle),
-                known(a.sigma_deg, lambda v: f"{v:.4f}"),
-                known(a.interval95_deg, lambda v: f"\u00b1 {v:.4f}"),
+                known(a.sigma_deg, lambda v: fixed(v, 4)),
+                known(a.interval95_deg, lambda v: interval(fixed(v, 4))),
             ]
     if content.simulated:
-        columns.append(Column("Truth\n(deg)"))
+        columns.append(Column(in_unit(gettext("Truth"), deg)))
         for row, a in zip(cells, content.angles, strict=True):
             row.append(known(a.truth_deg, angle))
         if content.calibrated:
-            columns.append(Column("Error\n(deg)"))
+            columns.append(Column(in_unit(gettext("Error"), deg)))
             for row, a in zip(cells, content.angles, strict=True):
                 row.append(known(a.error_deg, angle))
-    return Table("Boresight", tuple(columns), rows(cells))
+    return Table(gettext("Boresight"), tuple(columns), rows(cells))
 
 
 def residuals(content: ReportContent) -> list[Block]:
-    """What was picked, and how far the points lie from it."""
+    """Targets and validation planes, and how far the points lie from the targets."""
     blocks: list[Block] = []
     if content.planes:
         blocks.append(_planes_table(content))
     reasons = tuple(
-        f"{plane.name} on {line}: {reason}"
+        gettext("{target} on line {line}: {reason}", target=plane.name, line=line, reason=reason)
         for plane in content.planes
         for line, reason in plane.missing.items()
     )
     if reasons:
-        blocks += [Paragraph("Not found:"), Bullets(reasons)]
+        blocks += [Paragraph(gettext("Not found:")), Bullets(reasons)]
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
-    return blocks or [Paragraph("No target has been picked yet.")]
+    return blocks or [Paragraph(gettext("No target has been picked yet."))]
 
 
 def _planes_table(content: ReportContent) -> Table:
     return Table(
-        "Targets and validation planes as picked (seed in the local frame)",
+        gettext("Targets and validation planes as picked (seed in the local frame)"),
         (
-            Column("Name", "left"),
-            Column("Role", "left"),
-            Column("Shape", "left"),
-            Column("North\n(m)"),
-            Column("West\n(m)"),
-            Column("Up\n(m)"),
-            Column("Threshold\n(mm)"),
-            Column("Lines"),
+            Column(gettext("Name"), "left"),
+            Column(gettext("Role"), "left"),
+            Column(gettext("Shape"), "left"),
+            Column(in_unit(gettext("North"), "m")),
+            Column(in_unit(gettext("West"), "m")),
+            Column(in_unit(gettext("Up"), "m")),
+            Column(in_unit(gettext("Threshold"), "mm")),
+            Column(gettext("Lines")),
         ),
         rows(
             [
                 plane.name,
-                plane.role if plane.used else f"{plane.role}, left out",
-                _picked_shape(plane),
-                *(minus(f"{value:.2f}") for value in plane.seed_local_m),
+                _role(plane),
+                _shape(plane.shape, plane.sphere_radius_m),
+                *(fixed(value, 2) for value in plane.seed_local_m),
                 mm(plane.threshold_m),
-                f"{len(plane.lines)} of {len(content.lines)}",
+                gettext("{count:n} of {total:n}", count=len(plane.lines), total=len(content.lines)),
             ]
             for plane in content.planes
         ),
     )
 
 
-def _picked_shape(plane: PickedPlane) -> str:
-    if plane.shape != "sphere":
-        return plane.shape
-    return "sphere" + known(plane.sphere_radius_m, lambda v: f", radius\u00a0{mm(v)}\u00a0mm", "")
+def _role(plane: PickedPlane) -> str:
+    if plane.role == "target":
+        return gettext("target") if plane.used else gettext("target, excluded")
+    return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
+
+
+def _shape(shape: str, radius: float | None) -> str:
+    if shape != "sphere":
+        return gettext("plane")
+    if radius is None:
+        return gettext("sphere")
+    return gettext("sphere, radius\u00a0{radius:mm.1}\u00a0mm", radius=radius)
 
 
 def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
     from lispac.report.figures import residual_figures_of
 
     targets = Table(
-        "Fit of each target, all lines together, to one surface",
+        gettext("Fit of each target to one surface, all lines together"),
         (
-            Column("Target", "left"),
-            Column("Surface", "left"),
-            Column("Sightings"),
-            Column("Points"),
-            Column("RMS\nbefore (mm)"),
-            Column("RMS\nafter (mm)"),
-            Column("Noise\nfactor"),
+            Column(gettext("Target"), "left"),
+            Column(gettext("Surface"), "left"),
+            Column(gettext("Sightings")),
+            Column(gettext("Points")),
+            Column(gettext("RMS\nbefore (mm)")),
+            Column(gettext("RMS\nafter (mm)")),
+            Column(gettext("Noise\nfactor")),
         ),
         rows(
             [
                 t.target,
-                "sphere" + known(t.radius_m, lambda v: f", radius\u00a0{mm(v)}\u00a0mm", "")
-                if t.shape == "sphere"
-                else t.shape,
-                str(t.sightings),
-                f"{t.points:,}",
+                _shape(t.shape, t.radius_m),
+                fixed(t.sightings, 0),
+                grouped(t.points),
                 mm(t.rms_before_m),
                 mm(t.rms_after_m),
-                f"{t.noise_factor:.2f}",
+                fixed(t.noise_factor, 2),
             ]
             for t in adjustment.targets
         ),
     )
     sightings = Table(
-        "Fit of each sighting to its target's surface",
+        gettext("Fit of each sighting to the surface of its target"),
         (
-            Column("Target", "left"),
-            Column("Line", "left"),
-            Column("Heading\n(deg)"),
-            Column("Points"),
-            Column("RMS\nbefore (mm)"),
-            Column("RMS\nafter (mm)"),
-            Column("Mean\nafter (mm)"),
+            Column(gettext("Target"), "left"),
+            Column(gettext("Line"), "left"),
+            Column(in_unit(gettext("Heading"), degrees_unit())),
+            Column(gettext("Points")),
+            Column(gettext("RMS\nbefore (mm)")),
+            Column(gettext("RMS\nafter (mm)")),
+            Column(gettext("Mean\nafter (mm)")),
         ),
         rows(
             [
                 s.target,
                 s.line,
                 known(s.heading_deg, heading),
-                f"{s.points:,}",
+                grouped(s.points),
                 mm(s.rms_before_m),
                 mm(s.rms_after_m),
                 signed(1000 * s.mean_after_m, 1),
@@ -203,18 +245,13 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
             for s in adjustment.sightings
         ),
     )
-    caption = "RMS of each sighting, before and after."
-    bars = Drawing(caption, residual_figures_of, (adjustment.sightings,))
-    told = Paragraph(
-        "RMS and mean are distances from the surface that all lines have in common. After the "
-        "adjustment they still hold the POS error of each sighting, which no boresight removes. "
-        "The noise factor is the LiDAR noise found in the residuals, with POS errors taken off, "
-        "over the stated one; where it is above 1 the sigmas of the angles are computed with it."
-        if correlated
-        else "RMS and mean are distances from the surface that all lines have in common. After the "
-        "adjustment they still hold the POS error of each sighting, which no boresight removes."
+    bars = Drawing(
+        gettext("RMS of each sighting, before and after."),
+        residual_figures_of,
+        (adjustment.sightings,),
     )
-    return [targets, sightings, told, bars]
+    explained = [COMMON_SURFACE, NOISE_FACTOR] if correlated else [COMMON_SURFACE]
+    return [targets, sightings, *(Paragraph(gettext(each)) for each in explained), bars]
 
 
 def site(content: ReportContent) -> list[Block]:
@@ -223,23 +260,23 @@ def site(content: ReportContent) -> list[Block]:
 
     blocks: list[Block] = []
     if any(line.track_local_m for line in content.lines) or content.planes:
-        drawn = (content.lines, content.planes)
-        blocks.append(Drawing("Plan of the site, local frame.", site_figure_of, drawn))
+        values = (content.lines, content.planes)
+        blocks.append(Drawing(gettext("Plan of the site, local frame."), site_figure_of, values))
     blocks.append(
         Table(
-            "Lines",
+            gettext("Lines"),
             (
-                Column("Line", "left"),
-                Column("File", "left"),
-                Column("Heading\n(deg)"),
-                Column("Points"),
+                Column(gettext("Line"), "left"),
+                Column(gettext("File"), "left"),
+                Column(in_unit(gettext("Heading"), degrees_unit())),
+                Column(gettext("Points")),
             ),
             rows(
                 [
                     line.name,
                     line.file,
                     known(line.heading_deg, heading),
-                    known(line.points, lambda v: f"{v:,.0f}"),
+                    known(line.points, grouped),
                 ]
                 for line in content.lines
             ),
@@ -251,41 +288,39 @@ def site(content: ReportContent) -> list[Block]:
 
 
 def _trajectory(lines: Sequence[TrajectoryOnLine]) -> list[Block]:
+    deg = degrees_unit()
     return [
         Table(
-            "Trajectory on each line",
+            gettext("Trajectory on each line"),
             (
-                Column("Line", "left"),
-                Column("Duration\n(s)"),
-                Column("Speed\n(m/s)"),
-                Column("Interval\n(s)"),
-                Column("Longest\ngap (s)"),
-                Column("Roll\n(deg)"),
-                Column("Pitch\n(deg)"),
-                Column("Horizontal\n(mm)"),
-                Column("Vertical\n(mm)"),
-                Column("Roll, pitch\n(deg)"),
-                Column("Heading\n(deg)"),
+                Column(gettext("Line"), "left"),
+                Column(in_unit(gettext("Duration"), "s")),
+                Column(in_unit(gettext("Speed"), "m/s")),
+                Column(in_unit(gettext("Interval"), "s")),
+                Column(gettext("Longest\ngap (s)")),
+                Column(in_unit(gettext("Roll"), deg)),
+                Column(in_unit(gettext("Pitch"), deg)),
+                Column(in_unit(gettext("Horizontal"), "mm")),
+                Column(in_unit(gettext("Vertical"), "mm")),
+                Column(in_unit(gettext("Roll, pitch"), deg)),
+                Column(in_unit(gettext("Heading"), deg)),
             ),
             rows(
                 [
                     each.line,
-                    f"{each.duration_s:.1f}",
-                    f"{each.speed_m_s:.2f}",
-                    f"{each.interval_s:.3f}",
-                    f"{each.longest_gap_s:.3f}",
-                    f"{each.motion_deg[0]:.2f}",
-                    f"{each.motion_deg[1]:.2f}",
+                    fixed(each.duration_s, 1),
+                    fixed(each.speed_m_s, 2),
+                    fixed(each.interval_s, 3),
+                    fixed(each.longest_gap_s, 3),
+                    fixed(each.motion_deg[0], 2),
+                    fixed(each.motion_deg[1], 2),
                     mm(each.sigma_horizontal_m),
                     mm(each.sigma_vertical_m),
-                    f"{each.sigma_roll_pitch_deg:.4f}",
-                    f"{each.sigma_heading_deg:.4f}",
+                    fixed(each.sigma_roll_pitch_deg, 4),
+                    fixed(each.sigma_heading_deg, 4),
                 ]
                 for each in lines
             ),
         ),
-        Paragraph(
-            "Roll and pitch: by how much the vessel moved (standard deviation). The last four "
-            "columns are the largest stated 1 sigma of the POS on the line."
-        ),
+        Paragraph(gettext(TRAJECTORY_COLUMNS)),
     ]

@@ -1,178 +1,257 @@
-"""The section on settings: the stochastic model in words, what was stated, and the input files."""
+"""The section on settings: system, points, stochastic model, and the input files."""
 
+from collections.abc import Mapping
+
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, facts, rows
+from lispac.report.settings_used import FILE_ROLES, role_of_line
 from lispac.report.values import Adjustment, ReportContent, SettingsUsed, VarianceComponent
 from lispac.report.wording import (
+    fixed,
+    grouped,
     known,
-    listed,
     mm,
     origin,
     parameter,
     quantity,
-    surface_sigmas,
-    times,
-    title,
+    shortest,
     triple,
 )
 
 NOTEWORTHY_NOISE = 1.05
-"""Smallest factor on the stated LiDAR noise that is written as more than 1.0."""
+"""Smallest factor on the given LiDAR noise that is written as more than 1.0."""
+
+POS_ERRORS: Mapping[str, str] = {
+    "correlated": N_("Correlated."),
+    "independent": N_("Uncorrelated."),
+}
+LOSSES: Mapping[str, str] = {
+    "none": N_("No robust estimation."),
+    "huber": N_("Loss function: Huber."),
+    "tukey": N_("Loss function: Tukey."),
+}
+OFFSETS: Mapping[str, str] = {
+    "range_offset": N_("Range offset, as given"),
+    "scan_angle_offset": N_("Scan-angle offset, as given"),
+    "latency": N_("Latency, as given"),
+}
+"""Titles of the offsets, by the name of the value."""
+COMPONENTS: Mapping[str, str] = {
+    "LiDAR": N_("LiDAR"),
+    "POS position": N_("POS position"),
+    "POS attitude": N_("POS attitude"),
+}
+"""Groups of errors, by the name of the variance component."""
+
+CORRELATION_TIMES = N_(
+    "{position} s, {attitude} s: duration of a POS error. Use the times of the processing report "
+    "where it gives them. Too short a time is safer than too long a one."
+)
+SURFACE_SIGMA = N_(
+    "Surface sigma: how far a whole sighting may be off the surface that all lines have in common."
+)
+VARIANCE_COMPONENTS = N_(
+    "Variance components are estimated from the residuals and the estimated POS errors by "
+    "restricted maximum likelihood. A sigma is raised where the data show a larger one, and "
+    "lowered only where the whole interval is below the given value; otherwise it is used as "
+    "given. Few sightings say little about the POS: if the interval is wide, the given sigma may "
+    "be as good as the estimated one."
+)
 
 
 def settings(content: ReportContent) -> list[Block]:
-    """Everything that was stated of system, points and stochastic model."""
+    """All settings of system, points and stochastic model."""
     used, adjustment = content.settings, content.adjustment
     blocks: list[Block] = [
-        facts("System and points", _system(used, adjustment)),
-        facts("Stochastic model", _model(used, adjustment)),
+        facts(gettext("System and points"), _system(used, adjustment)),
+        facts(gettext("Stochastic model"), _model(used, adjustment)),
     ]
+    if used.surface_from_data is not None:
+        blocks.append(Paragraph(gettext(SURFACE_SIGMA)))
     if adjustment is not None and adjustment.components:
         blocks += _components(adjustment)
     blocks.append(_files(content))
     if content.notes:
-        blocks += [Paragraph("Input assumptions:"), Bullets(content.notes)]
+        blocks += [Paragraph(gettext("Input assumptions:")), Bullets(content.notes)]
     return blocks
 
 
 def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str, str]]:
     names = [p.name for p in adjustment.parameters] if adjustment else []
-    prior = "Prior lever arm" if any(name.startswith("lever") for name in names) else "Lever arm"
-    said = [
-        (f"{prior}, forward, left, up", f"{triple(used.lever_arm_m, 4)} m"),
-        ("Origin of the local frame", origin(used.origin_deg_m)),
-    ]
+    lever_arm = gettext("{values} m", values=triple(used.lever_arm_m, 4))
+    if any(name.startswith("lever") for name in names):
+        values = [(gettext("Prior lever arm, forward, left, up"), lever_arm)]
+    else:
+        values = [(gettext("Lever arm, forward, left, up"), lever_arm)]
+    values.append((gettext("Origin of the local frame"), origin(used.origin_deg_m)))
     for name, value in (
         ("range_offset", used.range_offset_m),
         ("scan_angle_offset", used.scan_angle_offset_deg),
         ("latency", used.latency_s),
     ):
         if value:
-            said.append((f"{title(parameter(name))}, as stated", quantity(name, value, sign=True)))
+            values.append((gettext(OFFSETS[name]), quantity(name, value, sign=True)))
     if names:
-        also = listed([parameter(name) for name in names])
-        said.append(("Asked to be estimated", f"the boresight; {also}"))
+        estimated = [gettext("boresight"), *map(parameter, names)]
+        values.append(
+            (gettext("Selected for estimation"), gettext("{names:names}", names=estimated))
+        )
     if used.accept_one_facing:
-        said.append(("Targets that all face one way", "accepted"))
-    return [*said, ("Subsampling", _subsampling(used))]
+        values.append((gettext("Targets that all face one way"), gettext("accepted")))
+    return [*values, (gettext("Point spacing"), _subsampling(used))]
 
 
 def _subsampling(used: SettingsUsed) -> str:
     if not used.subsample_m:
-        return "none: all points take part"
+        return gettext("none: all points are used")
+    spacing = fixed(used.subsample_m, 3)
     if used.averaged:
-        return (
-            f"averaged: neighbours on a plane within a square of {used.subsample_m:.3f} m make one "
-            "point; points of spheres stay as they are"
+        return gettext(
+            "averaged: the points of a plane within a square of {spacing} m are replaced by their "
+            "mean; points of spheres stay as they are",
+            spacing=spacing,
         )
-    return f"selected: of neighbours within {used.subsample_m:.3f} m one is kept"
+    return gettext(
+        "selected: one of the points within {spacing} m of each other is kept", spacing=spacing
+    )
 
 
 def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str, str]]:
-    accuracy = "from the trajectory accuracy file"
-    said = [
-        ("POS errors", f"{used.pos_errors}. {used.pos_errors_in_words}"),
+    from_file = gettext("from the trajectory accuracy file")
+    values = [
         (
-            "Position sigma, north, east, down",
-            f"{triple(used.position_sigma_m, 3)} m" if used.position_sigma_m else accuracy,
+            gettext("POS errors"),
+            f"{gettext(POS_ERRORS[used.pos_errors])} {gettext(used.pos_errors_in_words)}",
         ),
         (
-            "Attitude sigma, roll, pitch, heading",
-            f"{triple(used.attitude_sigma_deg, 4)} deg" if used.attitude_sigma_deg else accuracy,
+            gettext("Position sigma, north, east, down"),
+            gettext("{values} m", values=triple(used.position_sigma_m, 3))
+            if used.position_sigma_m
+            else from_file,
+        ),
+        (
+            gettext("Attitude sigma, roll, pitch, heading"),
+            gettext("{values} deg", values=triple(used.attitude_sigma_deg, 4))
+            if used.attitude_sigma_deg
+            else from_file,
         ),
     ]
     if used.position_correlation_time_s and used.attitude_correlation_time_s:
-        said.append(
-            (
-                "Correlation times, position, attitude",
-                f"{used.position_correlation_time_s:g} s, {used.attitude_correlation_time_s:g} s: "
-                "how long a POS error lasts. Take those of the processing report where it states "
-                "them; too short a time is safer than too long a one.",
-            )
+        times = gettext(
+            CORRELATION_TIMES,
+            position=shortest(used.position_correlation_time_s),
+            attitude=shortest(used.attitude_correlation_time_s),
         )
-    said.append(("LiDAR noise, 1 sigma", _lidar(used)))
+        values.append((gettext("Correlation times, position, attitude"), times))
+    values.append((gettext("LiDAR noise, 1 sigma"), _lidar(used)))
     if adjustment is not None and used.pos_errors == "correlated":
-        said.append(("LiDAR noise found", _noise(adjustment)))
+        values.append((gettext("LiDAR noise found"), _noise(adjustment)))
     if used.surface_from_data is not None:
-        said.append(("Surface sigma", _surface(used)))
-    return [*said, ("Stray points", f"loss: {used.loss}. {used.loss_in_words}")]
+        values.append((gettext("Surface sigma"), _surface(used)))
+    loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_in_words)}"
+    return [*values, (gettext("Outliers"), loss)]
 
 
 def _lidar(used: SettingsUsed) -> str:
     if used.lidar_range_sigma_m is not None and used.lidar_angle_sigma_deg is not None:
-        return (
-            f"range {mm(used.lidar_range_sigma_m)} mm, direction of the beam "
-            f"{used.lidar_angle_sigma_deg:.4f} deg"
-        )
+        return gettext(
+            "range {range:mm.1} mm, direction of the beam {angle} deg",
+            range=used.lidar_range_sigma_m, angle=fixed(used.lidar_angle_sigma_deg, 4),
+        )  # fmt: skip
     if used.lidar_sigma_xyz_m is not None:
-        x, y, z = (mm(value) for value in used.lidar_sigma_xyz_m)
-        return f"x {x} mm, y {y} mm, z {z} mm"
-    return f"{mm(used.lidar_sigma_m)} mm on each axis"
+        x, y, z = used.lidar_sigma_xyz_m
+        return gettext("x {x:mm.1} mm, y {y:mm.1} mm, z {z:mm.1} mm", x=x, y=y, z=z)
+    return gettext("{sigma:mm.1} mm on each axis", sigma=used.lidar_sigma_m)
 
 
 def _noise(adjustment: Adjustment) -> str:
     larger = [t for t in adjustment.targets if t.noise_factor >= NOTEWORTHY_NOISE]
-    stated = (
-        "the sigma found by the variance components"
-        if any(c.applied and c.name == "LiDAR" for c in adjustment.components)
-        else "the stated LiDAR noise"
-    )
+    applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
     if not larger:
-        return f"not above {stated} on any target"
-    found = listed([f"{times(t.noise_factor)} ({t.target})" for t in larger])
-    return f"in the residuals {found} {stated}; the sigmas of the angles are computed with it"
+        if applied:
+            return gettext("not above the sigma of the variance components on any target")
+        return gettext("not above the given noise on any target")
+    found = [
+        gettext("{factor}\u00a0times ({target})", factor=fixed(t.noise_factor, 1), target=t.target)
+        for t in larger
+    ]
+    if applied:
+        return gettext(
+            "{factors:names} the sigma of the variance components, in the residuals; the sigmas of "
+            "the angles are computed with it",
+            factors=found,
+        )
+    return gettext(
+        "{factors:names} the given noise, in the residuals; the sigmas of the angles are computed "
+        "with it",
+        factors=found,
+    )
 
 
 def _surface(used: SettingsUsed) -> str:
-    what = "how far a sighting as a whole may lie off the shape that all lines have in common"
     if used.surface_sigma_m is None:
-        return f"to be found from the data: {what}"
+        return gettext("to be estimated from the data")
     if used.surface_sigma_m == 0:
-        return "none: each sighting is held to the shape that all lines have in common"
-    source = "found from the data" if used.surface_from_data else "as typed"
-    return f"{surface_sigmas(used.surface_sigma_m, used.offset_sigma_m)}, {source}: {what}"
+        return gettext("none: each sighting follows the surface that all lines have in common")
+    if used.offset_sigma_m is None:
+        sigmas = gettext("{surface}\u00a0mm", surface=_tenths(used.surface_sigma_m))
+    else:
+        sigmas = gettext(
+            "offsets {offset}\u00a0mm, tilts {surface}\u00a0mm",
+            offset=_tenths(used.offset_sigma_m), surface=_tenths(used.surface_sigma_m),
+        )  # fmt: skip
+    if used.surface_from_data:
+        return gettext("{sigmas}, estimated from the data", sigmas=sigmas)
+    return gettext("{sigmas}, as given", sigmas=sigmas)
+
+
+def _tenths(metres: float) -> str:
+    if round(1000 * metres, 1) == 0.0:
+        return gettext("below {limit}", limit=fixed(0.1, 1))
+    return mm(metres)
 
 
 def _components(adjustment: Adjustment) -> list[Block]:
     return [
         Table(
-            "Variance components: the sigmas by the data, over the stated ones",
+            gettext("Variance components: estimated over given sigmas"),
             (
-                Column("Errors of", "left"),
-                Column("Factor"),
-                Column("95 % interval"),
-                Column("Finding", "left"),
+                Column(gettext("Errors of"), "left"),
+                Column(gettext("Factor")),
+                Column(gettext("95 % interval")),
+                Column(gettext("Finding"), "left"),
             ),
             rows(_component(component) for component in adjustment.components),
         ),
-        Paragraph(
-            "From the residuals and the estimated POS errors by restricted likelihood. A sigma is "
-            "raised where the data say more, and lowered only where the whole interval says less; "
-            "what is not applied is used as stated. With few sightings the data say little of the "
-            "POS: a wide interval means that the stated sigma may be as good as the one found."
-        ),
+        Paragraph(gettext(VARIANCE_COMPONENTS)),
     ]
 
 
 def _component(found: VarianceComponent) -> tuple[str, str, str, str]:
-    interval = f"{found.lower:.2f} to {found.upper:.2f}"
-    return found.name, f"{found.factor:.2f}", interval, found.in_words
+    interval = gettext(
+        "{lower} to {upper}", lower=fixed(found.lower, 2), upper=fixed(found.upper, 2)
+    )
+    return gettext(COMPONENTS[found.name]), fixed(found.factor, 2), interval, found.in_words
 
 
 def _files(content: ReportContent) -> Table:
+    roles = {role: gettext(role) for role in FILE_ROLES}
+    for line in content.lines:
+        roles[role_of_line(line.name)] = gettext("Line {name}", name=line.name)
     return Table(
-        "Input files",
+        gettext("Input files"),
         (
-            Column("Use", "left"),
-            Column("File", "left"),
-            Column("Bytes"),
+            Column(gettext("Use"), "left"),
+            Column(gettext("File"), "left"),
+            Column(gettext("Bytes")),
             Column("SHA-256", "left", code=True),
         ),
         rows(
             [
-                file.role,
+                roles[file.role],
                 file.name,
-                known(file.size_bytes, lambda v: f"{v:,.0f}"),
-                file.sha256 or "not readable",
+                known(file.size_bytes, grouped),
+                file.sha256 or gettext("not readable"),
             ]
             for file in content.files
         ),

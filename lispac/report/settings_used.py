@@ -1,35 +1,47 @@
-"""The settings an answer was computed with, as a report's values."""
+"""The settings of a result, as values of a report; texts are English and translated later."""
 
+from lispac.language import N_
 from lispac.project import Project
 from lispac.report.values import SettingsUsed
 
-CONVENTION = (
+CONVENTION = N_(
     "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "
     "side up, pitch positive with the bow down, yaw positive clockwise seen from above. The "
-    "boresight turns LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs "
-    "use other signs and orders: convert before typing these angles into one."
+    "boresight rotates LiDAR axes into body axes: R = Rz(−yaw)·Ry(pitch)·Rx(roll). Other programs "
+    "use other signs and orders: convert these angles before entering them in another program."
 )
 
 POS_ERROR_WORDS = {
-    "correlated": (
-        "All points of one sighting share the errors of position and attitude they were placed "
-        "with, and sightings close in time share part of them (first-order Gauss-Markov process)."
+    "correlated": N_(
+        "All points of one sighting share the errors of position and attitude at the time of the "
+        "sighting, and sightings close in time share part of them (first-order Gauss-Markov "
+        "process)."
     ),
-    "independent": (
-        "Every point has errors of position and attitude of its own, independent of all others."
+    "independent": N_(
+        "Every point has its own errors of position and attitude, independent of all others."
     ),
 }
 
 LOSS_WORDS = {
-    "none": "All points have the same say, strays too.",
-    "huber": "Points beyond 1.3 standard deviations have less say, strays little.",
-    "tukey": "The farther off its surface a point lies, the less say it has; beyond 4.7 standard "
-    "deviations it has none.",
+    "none": N_("All points have the same weight, outliers too."),
+    "huber": N_("Points beyond 1.3 standard deviations have less weight, outliers little."),
+    "tukey": N_(
+        "The weight of a point decreases with its distance from the surface; beyond 4.7 standard "
+        "deviations it is zero."
+    ),
 }
+
+FILE_ROLES = (N_("Trajectory"), N_("Trajectory accuracy"), N_("Reference"))
+"""Uses of the input files besides those of the lines."""
+
+
+def role_of_line(name: str) -> str:
+    """Use of the file of a line."""
+    return f"Line {name}"
 
 
 def settings_used(project: Project) -> SettingsUsed:
-    """Settings of the answer on the page, or of the project where there is none yet."""
+    """Settings of the result, or of the project where there is none yet."""
     settings, result = project.settings, project.result
     typed = project.accuracy is None
     model = result.model if result else settings.stochastic_model

@@ -1,6 +1,6 @@
-"""How wide a text is drawn, by the advances of its letters: a figure need not be drawn to know.
+"""Width of a text from the advances of its letters, without drawing it.
 
-matplotlib measures a text by drawing it, and a figure of many panels takes a second that way.
+matplotlib measures a text by drawing it, which takes a second for a figure with many panels.
 """
 
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ import matplotlib
 from matplotlib.ft2font import FT2Font
 
 LEAST = 4.5
-"""Points: smaller letters nobody reads."""
+"""Smallest font size, points."""
 POINTS_PER_INCH = 72.0
 
 
@@ -22,7 +22,7 @@ def width_of(text: str, size: float) -> float:
 
 
 def fitted(texts: Sequence[str], room: float, size: float) -> float:
-    """The size, points, at which the widest of several texts has room, `LEAST` to ``size``.
+    """Font size, points, at which the widest of several texts fits: `LEAST` to ``size``.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def fitted(texts: Sequence[str], room: float, size: float) -> float:
 
 
 def cut(text: str, room: float) -> str:
-    """A text without line breaks that has room, inches, in the least of sizes; its end goes."""
+    """The text without line breaks, cut at the end to fit in inches at the smallest size."""
     kept = len(text)
     while kept and width_of(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > room:
         kept -= 1
@@ -44,7 +44,7 @@ def cut(text: str, room: float) -> str:
 
 @cache
 def _advance(letter: str) -> float:
-    """Of a letter, in shares of the size."""
+    """Advance of a letter as a share of the font size."""
     font = _font()
     font.set_size(64.0, POINTS_PER_INCH)
     return float(font.load_char(ord(letter)).linearHoriAdvance) / 65536 / 64.0

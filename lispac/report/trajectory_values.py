@@ -1,11 +1,11 @@
-"""How the vessel moved while each line was run, and how well that is known."""
+"""Motion of the vessel on each line, and the precision of the trajectory."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class TrajectoryOnLine:
-    """States of one line, and the largest of their stated standard deviations.
+    """Trajectory on one line, and the largest of its given standard deviations.
 
     Attributes
     ----------

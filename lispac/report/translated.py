@@ -1,34 +1,34 @@
-"""The finished report in its language: its figures are drawn, its texts translated."""
+"""Texts of a report's content that other parts of the program make in English, translated."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import TypeVar
 
-from lispac.report.blocks import (
-    Block,
-    Bullets,
-    Document,
-    Drawing,
-    Furniture,
-    Paragraph,
-    Picture,
-    Section,
-    Signature,
-    Table,
-)
-from lispac.report.values import ReportContent
+from lispac.adjustment.shown import capitalised
+from lispac.report.absolute_values import Absolute
+from lispac.report.budget_values import Budget
+from lispac.report.convention_values import InConvention
+from lispac.report.opinion_values import MethodAnswer
+from lispac.report.values import Adjustment, CrossChecked, ReportContent
+from lispac.report.wording import MINUS
 from lispac.reverse_translation.catalogue import catalogue_of
+from lispac.reverse_translation.messages import translated_text
 from lispac.reverse_translation.translation import Translator
 
-POINT = "Numbers are written with a decimal point, as other programs take them, except in warnings."
+FACTORS = " · "
+"""Between the rotations of a formula."""
+
+Say = Callable[[str], str]
+Part = TypeVar("Part")
 
 
 def translator(content: ReportContent, language: str) -> Translator:
-    """Says what a report says in a language, and leaves the names of its content alone."""
-    return Translator(catalogue_of(language), names_of(content))
+    """Translates English sentences of a content, and leaves its names as they are."""
+    return Translator(catalogue_of(language), names_of(content), spoken_numbers=True)
 
 
 def names_of(content: ReportContent) -> Iterator[str]:
-    """What people or files are called by, and no language changes."""
+    """Names of targets, lines, files and the like, which are the same in every language."""
     yield from (content.project, content.program)
     yield from (plane.name for plane in content.planes)
     yield from (plane.name for plane in content.validation)
@@ -42,93 +42,115 @@ def names_of(content: ReportContent) -> Iterator[str]:
             yield from (sighting.target, sighting.line)
 
 
-def drawn(document: Document, say: Translator) -> Document:
-    """The document with its figures drawn in the translator's language."""
+def warnings_and_notes(content: ReportContent, say: Say) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Texts of the warnings, and of the notes."""
+    serious, notes = (
+        tuple(translated_text(each, say) for each in content.cautions if each.is_serious == wanted)
+        for wanted in (True, False)
+    )
+    return serious, notes
+
+
+def translated(content: ReportContent, say: Say) -> ReportContent:
+    """The content with its English sentences translated; numbers, names and codes stay."""
     return replace(
-        document,
-        summary=_drawn(document.summary, say),
-        sections=tuple(
-            Section(section.title, _drawn(section.blocks, say)) for section in document.sections
+        content,
+        adjustment=_if_known(content.adjustment, lambda found: _adjustment(found, say)),
+        cross_checks=_if_known(content.cross_checks, lambda found: _cross_checks(found, say)),
+        validation=tuple(
+            replace(plane, measured_to=say(plane.measured_to)) for plane in content.validation
         ),
+        planes=tuple(
+            replace(plane, missing={line: say(reason) for line, reason in plane.missing.items()})
+            for plane in content.planes
+        ),
+        notes=tuple(map(say, content.notes)),
+        qualities=tuple(
+            replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
+        ),
+        in_convention=_if_known(content.in_convention, lambda found: _convention(found, say)),
+        matrix=_if_known(
+            content.matrix,
+            lambda found: replace(found, body_axes=tuple(map(say, found.body_axes))),
+        ),
+        absolute=_if_known(content.absolute, lambda found: _absolute(found, say)),
+        budget=_if_known(content.budget, lambda found: _budget(found, say)),
+        methods=tuple(_method(each, say) for each in content.methods),
+        methods_in_words=tuple(map(say, content.methods_in_words)),
     )
 
 
-def _drawn(blocks: Iterable[Block], say: Translator) -> tuple[Block, ...]:
-    from lispac.report.figures import pictures_of
-
-    made: list[Block] = []
-    for block in blocks:
-        if isinstance(block, Drawing):
-            svgs = pictures_of(block.draw, *block.values, say=say)
-            made += [Picture(block.caption, svg, ".svg", block.width) for svg in svgs]
-        else:
-            made.append(block)
-    return tuple(made)
+def _if_known(found: Part | None, change: Callable[[Part], Part]) -> Part | None:
+    return None if found is None else change(found)
 
 
-def translated(document: Document, say: Translator) -> Document:
-    """The document in the translator's language; how much of it stayed English is a remark."""
-    summary = tuple(_block(block, say) for block in document.summary)
-    sections = tuple(
-        Section(say(section.title), tuple(_block(block, say) for block in section.blocks))
-        for section in document.sections
+def _adjustment(found: Adjustment, say: Say) -> Adjustment:
+    seen = found.observability
+    return replace(
+        found,
+        rotation_in_words=say(found.rotation_in_words),
+        observability=_if_known(
+            seen, lambda seen: replace(seen, in_words=tuple(map(say, seen.in_words)))
+        ),
+        parameters=tuple(replace(each, reason=say(each.reason)) for each in found.parameters),
+        components=tuple(replace(each, in_words=say(each.in_words)) for each in found.components),
     )
-    made = replace(
-        document,
-        title=say(document.title),
-        verdict=say(document.verdict),
-        serious=tuple(map(say, document.serious)),
-        cautions=tuple(map(say, document.cautions)),
-        identity=said(document.identity, say),
-        summary=_with_point(summary, say),
-        sections=sections,
-        language=say.catalogue.code,
-        furniture=_furniture(document.furniture, say),
+
+
+def _cross_checks(found: CrossChecked, say: Say) -> CrossChecked:
+    return replace(
+        found, parts=tuple(replace(part, reason=say(part.reason)) for part in found.parts)
     )
-    if not say.unknown:
-        return made
-    return replace(made, cautions=(*made.cautions, say(_left(len(say.unknown)))))
 
 
-def _with_point(summary: tuple[Block, ...], say: Translator) -> tuple[Block, ...]:
-    """What is said of numbers goes before the user's own words and the signature."""
-    ends = (k for k, block in enumerate(summary) if getattr(block, "own", False))
-    at = next(ends, len(summary) - 1)
-    return (*summary[:at], Paragraph(say(POINT)), *summary[at:])
-
-
-def _left(count: int) -> str:
-    if count == 1:
-        return "1 text of this report stands in English: its translation is not known."
-    return f"{count} texts of this report stand in English: their translation is not known."
-
-
-def _furniture(words: Furniture, say: Translator) -> Furniture:
-    return Furniture(*(say(word) for word in vars(words).values()))
-
-
-def _block(block: Block, say: Translator) -> Block:
-    match block:
-        case Paragraph():
-            return block if block.own else Paragraph(say(block.text))
-        case Bullets():
-            return Bullets(tuple(map(say, block.items)))
-        case Table():
-            return said(block, say)
-        case Picture() | Drawing():
-            return replace(block, caption=say(block.caption))
-        case Signature():
-            return replace(block, fields=tuple(map(say, block.fields)))
-
-
-def said(table: Table, say: Translator) -> Table:
-    """The table in the translator's language; what the user typed into a form stays."""
-    columns = tuple(replace(column, title=say(column.title)) for column in table.columns)
-    rows = tuple(
-        tuple(
-            cell if column.code or (table.form and k > 0) else say.cell(cell)
-            for k, (column, cell) in enumerate(zip(table.columns, row, strict=True))
-        )
-        for row in table.rows
+def _convention(found: InConvention, say: Say) -> InConvention:
+    if not found.angles:
+        found = replace(found, formula="")  # it is a matrix only, which the section says
+    return replace(
+        found,
+        status_in_words=say(found.status_in_words),
+        source=say(found.source),
+        assumption=say(found.assumption),
+        check_first=say(found.check_first),
+        angles=tuple(
+            replace(each, name=say(capitalised(each.name)), meaning=say(each.meaning))
+            for each in found.angles
+        ),
+        note=say(found.note),
+        caution=say(found.caution),
+        formula=FACTORS.join(map(say, found.formula.replace("-", MINUS).split(FACTORS))),
+        body_axes=tuple(map(say, found.body_axes)),
+        scanner_in_words=say(found.scanner_in_words),
+        offsets_in_words=say(found.offsets_in_words),
     )
-    return replace(table, title=say(table.title), columns=columns, rows=rows)
+
+
+def _absolute(found: Absolute, say: Say) -> Absolute:
+    return replace(
+        found,
+        not_compared=tuple(map(say, found.not_compared)),
+        in_words=tuple(map(say, found.in_words)),
+    )
+
+
+def _budget(found: Budget, say: Say) -> Budget:
+    return replace(
+        found,
+        beams=tuple(
+            replace(
+                each,
+                beam=say(each.beam),
+                sources=tuple(
+                    replace(source, source=say(source.source)) for source in each.sources
+                ),
+                before=replace(each.before, source=say(each.before.source)),
+                after=replace(each.after, source=say(each.after.source)),
+            )
+            for each in found.beams
+        ),
+        in_words=tuple(map(say, found.in_words)),
+    )
+
+
+def _method(found: MethodAnswer, say: Say) -> MethodAnswer:
+    return replace(found, remarks=tuple(map(say, found.remarks)))

@@ -1,65 +1,97 @@
-"""The section on validation: how far apart the lines are on planes not used in the adjustment."""
+"""The section on validation: distances between lines on planes not used in the adjustment."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.validation_values import Distances, Pair, ValidationPlane
 from lispac.report.values import ReportContent
-from lispac.report.wording import UNKNOWN, known, mm, signed
+from lispac.report.wording import (
+    UNKNOWN,
+    fixed,
+    grouped,
+    in_unit,
+    interval,
+    known,
+    mm,
+    percent,
+    signed,
+    with_interval,
+)
 
-PLACES = "Signed distances along the normal, reciprocal pairs (mm)"
-PLANES = "Planes of the two lines against each other, reciprocal pairs"
+PLACES = N_("Signed distances along the normal, reciprocal pairs (mm)")
+PLANES = N_("Planes of the two lines compared, reciprocal pairs")
+
+POOLED: Mapping[str, str] = {
+    "reciprocal pairs": N_("Histograms and totals: reciprocal pairs."),
+    "all pairs": N_("Histograms and totals: all pairs."),
+}
+"""Which pairs of lines the statistics of a plane are from, by what the content calls them."""
+
+DISTANCES = N_(
+    "Distances from each point of one line to the surface of the other, in both directions, only "
+    "where both lines saw the plane. The points are the same before and after the calibration. "
+    "What remains after the calibration is the POS error of each line, which no boresight removes."
+)
+ROBUST = N_(
+    "Robust sigma: 1.4826 times the median absolute deviation from the median. Outliers: distances "
+    "more than three robust sigmas above the median; all other statistics include them."
+)
+SIGNED = N_(
+    "Distance of the first line from the second, positive towards the vessel: means within "
+    "cylinders along the local normal (M3C2), so that the noise of single points averages out. The "
+    "interval is that of one place, from the scatter of its points. The last columns are the share "
+    "of the places where the lines differ by more than it."
+)
+PLANE_OFFSETS = N_(
+    "The plane through the points of the first line compared with that of the second, with 95 % "
+    "intervals from the scatter of the points. Offsets are positive where the first line is nearer "
+    "to the vessel. Rotations are positive where its upper edge (level axis), or its right edge as "
+    "seen from the vessel (upright axis), comes nearer."
+)
+MAP = N_(
+    "{plane}: distance of the first line from the second along the normal, over the plane as seen "
+    "from the vessel; red where the first is nearer, blue where it is farther, grey where one of "
+    "them has too few points."
+)
 
 
 def validation(content: ReportContent) -> list[Block]:
-    """How far apart the lines were on planes not used in the adjustment, and are."""
-    from lispac.report.histograms import validation_figure
-    from lispac.report.maps import map_figure_of
-    from lispac.report.profiles import profile_figure_of
-
+    """Distances between the lines before and after the calibration."""
     if not content.validation:
-        return [Paragraph("No plane outside the adjustment has been compared between the lines.")]
-    sources = " and ".join(sorted({plane.pooled_from for plane in content.validation}))
-    models = " and ".join(sorted({plane.measured_to for plane in content.validation}))
+        return [
+            Paragraph(
+                gettext("No plane outside the adjustment has been compared between the lines.")
+            )
+        ]
+    models = sorted({plane.measured_to for plane in content.validation})
+    pooled = sorted({plane.pooled_from for plane in content.validation})
     blocks: list[Block] = [
-        Paragraph(
-            f"Distances from each point of one line to the surface of the other ({models}), both "
-            "directions, only where both lines saw the plane, before and after the calibration. "
-            f"The histograms and the totals are of {sources}; the same points stand in both "
-            "states. What remains after the calibration is the POS error of each line, which no "
-            "boresight removes."
+        Paragraph(gettext(DISTANCES)),
+        Bullets(
+            (
+                gettext("Surface of a line: {models:names}.", models=models),
+                *(gettext(POOLED[each]) for each in pooled),
+            )
         ),
-        _figures_table(content.validation),
-        Paragraph(
-            "Robust sigma: 1.4826 times the median absolute deviation from the median. Outliers: "
-            "distances more than three of these above the median; they stay in all other figures."
-        ),
+        _statistics_table(content.validation),
+        Paragraph(gettext(ROBUST)),
     ]
     for plane in content.validation:
-        caption = f"{plane.name}: distances between lines before and after the calibration."
-        blocks.append(Drawing(caption, validation_figure, (plane,)))
-        if plane.by_height is not None or plane.by_range is not None:
-            words = " and ".join(
-                name
-                for name, profile in (("height", plane.by_height), ("range", plane.by_range))
-                if profile is not None
-            )
-            caption = f"{plane.name}: median and 95th percentile of the distances against {words}."
-            blocks.append(Drawing(caption, profile_figure_of, (plane,)))
-        if plane.maps:
-            caption = (
-                f"{plane.name}: distance of the first line from the second along the normal, over "
-                "the plane as seen from the vessel; red where the first is nearer, blue where it "
-                "is farther, grey where one of them has too few points."
-            )
-            blocks.append(Drawing(caption, map_figure_of, (plane,)))
+        blocks += _figures(plane)
     blocks.append(
         distance_table(
-            "Every pair of lines (mm)",
-            [Column("Plane", "left"), Column("Lines", "left"), Column("Reciprocal", "left")],
+            gettext("Every pair of lines (mm)"),
+            [
+                Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
+                Column(gettext("Reciprocal"), "left"),
+            ],
             [
                 (
-                    (*_named(plane, pair), "yes" if pair.reciprocal else "no"),
+                    (
+                        *_named(plane, pair),
+                        gettext("yes") if pair.reciprocal else gettext("no"),
+                    ),
                     pair.before.distances,
                     pair.after.distances,
                 )
@@ -67,39 +99,65 @@ def validation(content: ReportContent) -> list[Block]:
                 for pair in plane.pairs
             ],
         )
-    )
+    )  # fmt: skip
     blocks += _signed(content.validation)
     apart = tuple(_not_compared(plane) for plane in content.validation if plane.not_compared)
     if apart:
         blocks += [
-            Paragraph("Not compared, for want of a part seen by both lines:"),
+            Paragraph(gettext("Not compared, because no part was seen by both lines:")),
             Bullets(apart),
         ]
     return blocks
 
 
-def _figures_table(planes: Sequence[ValidationPlane]) -> Table:
-    """Every figure of the pooled distances, one row a state."""
+def _figures(plane: ValidationPlane) -> list[Block]:
+    from lispac.report.histograms import validation_figure
+    from lispac.report.maps import map_figure_of
+    from lispac.report.profiles import profile_figure_of
+
+    caption = gettext(
+        "{plane}: distances between lines before and after the calibration.", plane=plane.name
+    )
+    blocks: list[Block] = [Drawing(caption, validation_figure, (plane,))]
+    if plane.by_height is not None or plane.by_range is not None:
+        caption = gettext(_profile_caption(plane), plane=plane.name)
+        blocks.append(Drawing(caption, profile_figure_of, (plane,)))
+    if plane.maps:
+        blocks.append(Drawing(gettext(MAP, plane=plane.name), map_figure_of, (plane,)))
+    return blocks
+
+
+def _profile_caption(plane: ValidationPlane) -> str:
+    if plane.by_range is None:
+        return N_("{plane}: median and 95th percentile of the distances by height.")
+    if plane.by_height is None:
+        return N_("{plane}: median and 95th percentile of the distances by range.")
+    return N_("{plane}: median and 95th percentile of the distances by height and by range.")
+
+
+def _statistics_table(planes: Sequence[ValidationPlane]) -> Table:
+    """Statistics of the pooled distances, one row for each state."""
     columns = (
-        Column("Plane", "left"), Column("State", "left"), Column("Points"), Column("Mean"),
-        Column("Median"), Column("RMS"), Column("68 %"), Column("95 %"), Column("99 %"),
-        Column("Robust\nsigma"), Column("Outliers"),
+        Column(gettext("Plane"), "left"), Column(gettext("State"), "left"),
+        Column(gettext("Points")), Column(gettext("Mean")), Column(gettext("Median")),
+        Column(gettext("RMS")), Column(gettext("68 %")), Column(gettext("95 %")),
+        Column(gettext("99 %")), Column(gettext("Robust\nsigma")), Column(gettext("Outliers")),
     )  # fmt: skip
     cells = []
     for plane in planes:
-        for state, d in (("before", plane.before), ("after", plane.after)):
+        for state, d in ((gettext("before"), plane.before), (gettext("after"), plane.after)):
             cells.append(
                 [
-                    plane.name, state, f"{d.n:,}", mm(d.mean_m), mm(d.median_m), mm(d.rms_m),
+                    plane.name, state, grouped(d.n), mm(d.mean_m), mm(d.median_m), mm(d.rms_m),
                     mm(d.p68_m), mm(d.p95_m), mm(d.p99_m), known(d.robust_sigma_m, mm),
-                    known(d.outliers, _whole),
+                    known(d.outliers, grouped),
                 ]
             )  # fmt: skip
-    return Table("Distances between lines on each plane (mm)", columns, rows(cells))
+    return Table(gettext("Distances between lines on each plane (mm)"), columns, rows(cells))
 
 
 def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
-    """Offsets and turns with their confidence, of the pairs where the boresight shows most."""
+    """Offsets and rotations with their intervals, of the pairs where the boresight shows most."""
     listed = [
         (plane, pair)
         for plane in planes
@@ -110,37 +168,32 @@ def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
     if any(pair.after.signed is not None for _, pair in listed):
         blocks += [
             Table(
-                PLACES,
+                gettext(PLACES),
                 (
-                    Column("Plane", "left"), Column("Lines", "left"), Column("Places"),
-                    *_twice("Median", "95 % of\na place", "Differ\nfrom 0"),
+                    Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
+                    Column(gettext("Places")),
+                    *_before_and_after(
+                        gettext("Median"), gettext("95 % of\na place"), gettext("Differ\nfrom 0")
+                    ),
                 ),
                 rows([*_named(plane, pair), *_place_cells(pair)] for plane, pair in listed),
             ),
-            Paragraph(
-                "How far the first line lies off the second, positive towards the vessel: means "
-                "within cylinders along the local normal (M3C2), so that the noise of single "
-                "points averages out. The interval is that of one place by the scatter of its "
-                "points; the last columns tell at how many places the lines differ from each other "
-                "beyond it."
-            ),
+            Paragraph(gettext(SIGNED)),
         ]  # fmt: skip
     if any(pair.after.planes is not None for _, pair in listed):
         blocks += [
             Table(
-                PLANES,
+                gettext(PLANES),
                 (
-                    Column("Plane", "left"), Column("Lines", "left"),
-                    *_twice("Offset\n(mm)", "Turn, level\naxis (deg)", "Upright\naxis (deg)"),
+                    Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
+                    *_before_and_after(
+                        in_unit(gettext("Offset"), "mm"), gettext("Rotation, level\naxis (deg)"),
+                        gettext("Upright\naxis (deg)"),
+                    ),
                 ),
                 rows([*_named(plane, pair), *_plane_cells(pair)] for plane, pair in listed),
             ),
-            Paragraph(
-                "The plane through the first line's points against that through the second's, with "
-                "95 % intervals by the scatter of the points. Offsets are positive where the first "
-                "line is nearer to the vessel; turns where its upper edge (level axis), or its "
-                "right edge as seen from the vessel (upright axis), comes nearer."
-            ),
+            Paragraph(gettext(PLANE_OFFSETS)),
         ]  # fmt: skip
     return blocks
 
@@ -149,21 +202,22 @@ def _named(plane: ValidationPlane, pair: Pair) -> tuple[str, str]:
     return plane.name, f"{pair.line_a} / {pair.line_b}"
 
 
-def _twice(*names: str) -> tuple[Column, ...]:
-    """Each figure before, then each after."""
-    return tuple(Column(f"{name}\n{state}") for state in ("before", "after") for name in names)
+def _before_and_after(*names: str) -> tuple[Column, ...]:
+    """Each value before, then each after."""
+    states = gettext("before"), gettext("after")
+    return tuple(Column(f"{name}\n{state}") for state in states for name in names)
 
 
 def _place_cells(pair: Pair) -> list[str]:
-    cells = [known(None if pair.after.signed is None else pair.after.signed.places, _whole)]
+    cells = [known(None if pair.after.signed is None else pair.after.signed.places, grouped)]
     for state in (pair.before, pair.after):
         s = state.signed
         cells += (
             [UNKNOWN] * 3
             if s is None
             else [
-                signed(1000 * s.median_m, 1), f"\u00b1 {mm(s.interval95_m)}",
-                f"{100 * s.significant_share:.0f}\u00a0%",
+                signed(1000 * s.median_m, 1), interval(mm(s.interval95_m)),
+                percent(s.significant_share),
             ]
         )  # fmt: skip
     return cells
@@ -177,24 +231,21 @@ def _plane_cells(pair: Pair) -> list[str]:
             [UNKNOWN] * 3
             if p is None
             else [
-                f"{signed(1000 * p.offset_m, 1)} \u00b1 {mm(p.offset_interval95_m)}",
-                _turn(p.turn_level_deg, p.turn_level_interval95_deg),
-                _turn(p.turn_upright_deg, p.turn_upright_interval95_deg),
+                with_interval(signed(1000 * p.offset_m, 1), mm(p.offset_interval95_m)),
+                _rotation(p.turn_level_deg, p.turn_level_interval95_deg),
+                _rotation(p.turn_upright_deg, p.turn_upright_interval95_deg),
             ]
         )
     return cells
 
 
-def _turn(value: float, half: float) -> str:
-    return f"{signed(value, 3)} \u00b1 {half:.3f}"
-
-
-def _whole(value: float) -> str:
-    return f"{value:,.0f}"
+def _rotation(value: float, half: float) -> str:
+    return with_interval(signed(value, 3), fixed(half, 3))
 
 
 def _not_compared(plane: ValidationPlane) -> str:
-    return f"{plane.name}: {', '.join(f'{a} / {b}' for a, b in plane.not_compared)}"
+    pairs = ", ".join(f"{a} / {b}" for a, b in plane.not_compared)
+    return gettext("{plane}: {pairs}", plane=plane.name, pairs=pairs)
 
 
 def distance_table(
@@ -203,11 +254,12 @@ def distance_table(
     compared: Sequence[tuple[tuple[str, ...], Distances, Distances]],
 ) -> Table:
     """Median, RMS and 95 % of distances, before and after."""
-    statistics = ("Median", "RMS", "95 %")
+    statistics = (gettext("Median"), gettext("RMS"), gettext("95 %"))
+    states = gettext("before"), gettext("after")
     columns = (
         *head,
-        Column("Points"),
-        *(Column(f"{name}\n{state}") for name in statistics for state in ("before", "after")),
+        Column(gettext("Points")),
+        *(Column(f"{name}\n{state}") for name in statistics for state in states),
     )
     return Table(
         title,
@@ -215,7 +267,7 @@ def distance_table(
         rows(
             [
                 *names,
-                f"{before.n:,}",
+                grouped(before.n),
                 mm(before.median_m), mm(after.median_m),
                 mm(before.rms_m), mm(after.rms_m),
                 mm(before.p95_m), mm(after.p95_m),

@@ -1,4 +1,4 @@
-"""The values of the validation: a part of `report.values`, from the comparisons of the lines."""
+"""Values of the validation, from the comparisons of the lines."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,7 @@
-"""The values a report is made of.
+"""Values of a report, not formatted.
 
-Nothing here is formatted. Names carry the unit of their values and are the keys of the JSON
-report as well, so every document shows the same figures.
+Names end with the unit of their values and are also the keys of the JSON report, so that every
+document shows the same numbers. Texts are English; `lispac.report.translated` translates them.
 """
 
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ from lispac.report.validation_values import SwathDifference, ValidationPlane
 
 @dataclass(frozen=True)
 class InputFile:
-    """A file the answer rests on; size and digest are None where it could not be found."""
+    """An input file of the result; size and digest are None where it could not be found."""
 
     role: str
     name: str
@@ -29,12 +29,12 @@ class InputFile:
 
 @dataclass(frozen=True)
 class SettingsUsed:
-    """Settings; the typed POS sigmas are None where an accuracy file was given.
+    """Settings; the POS sigmas are None where an accuracy file was given.
 
     The LiDAR noise is that along x, y, z, or of range and angle, where one of these is known, and
-    ``lidar_sigma_m`` on each axis otherwise. The surface sigma is the value used; None where it
-    is still to be found, and in thesis mode, as is where it came from. The offset sigma is None
-    where it is the same.
+    ``lidar_sigma_m`` on each axis otherwise. The surface sigma is the value used. It is None
+    where it is still to be estimated and with uncorrelated POS errors; so is its source. The offset
+    sigma is None where it is the same.
     """
 
     lever_arm_m: tuple[float, ...]
@@ -65,7 +65,7 @@ class SettingsUsed:
 
 @dataclass(frozen=True)
 class Angle:
-    """One boresight angle; what is not known is None."""
+    """One boresight angle; unknown values are None."""
 
     name: str
     prior_deg: float
@@ -97,7 +97,7 @@ class Effect:
 
 @dataclass(frozen=True)
 class S44Contribution:
-    """What the boresight adds to the uncertainty of a point, for the beam where it shows most.
+    """Contribution of the boresight to the uncertainty of a point, for the worst beam.
 
     Horizontal (THU) and vertical (TVU), at 95 % as IHO S-44 has it, for a level vessel.
     """
@@ -111,7 +111,7 @@ class S44Contribution:
 class TargetFit:
     """Fit of one target's points, over all lines, to their joint surface.
 
-    ``noise_factor`` is the LiDAR noise found in the residuals over the stated one, at least 1.
+    ``noise_factor`` is the LiDAR noise found in the residuals over the given one, at least 1.
     """
 
     target: str
@@ -139,7 +139,7 @@ class SightingFit:
 
 @dataclass(frozen=True)
 class ExtraParameter:
-    """A value estimated besides the boresight, or why it was not.
+    """A value estimated with the boresight, or the reason why it was not.
 
     ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in its own unit. ``significance`` is
     the change from the prior over its standard deviation; ``significant`` at 95 %.
@@ -158,10 +158,10 @@ class ExtraParameter:
 
 @dataclass(frozen=True)
 class Seen:
-    """How well lines and targets see the angles.
+    """Observability of the angles by lines and targets.
 
-    The directions are mixtures of roll, pitch and yaw, the weakest first; the sigmas without a
-    line are None where the rest does not determine the angles.
+    The directions are combinations of roll, pitch and yaw, the weakest first. The sigmas without a
+    line are None where the other lines do not determine the angles.
     """
 
     direction_sigma_deg: tuple[float, ...]
@@ -173,7 +173,7 @@ class Seen:
 
 @dataclass(frozen=True)
 class SightingCheck:
-    """Whether a sighting agrees with all others, and its estimated POS error.
+    """Test of a sighting against all others, and its estimated POS error.
 
     Shift, test value, detectable shift and its effect are None where no other data check the
     sighting. ``largest_w`` is the largest test value of a point, at ``largest_w_time_s``; that is
@@ -205,9 +205,9 @@ class SightingCheck:
 
 @dataclass(frozen=True)
 class VarianceComponent:
-    """How large a group of errors is by the data: ``factor`` on its stated sigma, 95 % interval.
+    """Variance component: ``factor`` on the given sigma of a group of errors, 95 % interval.
 
-    ``applied`` tells whether the sigmas were changed by it.
+    ``applied``: whether the sigmas were changed by it.
     """
 
     name: str
@@ -220,7 +220,7 @@ class VarianceComponent:
 
 @dataclass(frozen=True)
 class CheckedPart:
-    """The answer of a part of the data; None where the part does not determine the angles.
+    """Result of a part of the data; None where the part does not determine the angles.
 
     The difference of a half is that from the other half, of all other parts that from the whole.
     """
@@ -237,7 +237,7 @@ class CheckedPart:
 
 @dataclass(frozen=True)
 class CrossChecked:
-    """Answers of parts of the data, and their spread beside the formal sigmas."""
+    """Results of parts of the data, and their spread beside the formal sigmas."""
 
     sigma_deg: tuple[float, ...]
     spread_lines_deg: tuple[float, ...] | None
@@ -247,12 +247,12 @@ class CrossChecked:
 
 @dataclass(frozen=True)
 class Adjustment:
-    """How well the adjustment went.
+    """Fit, reliability and estimated values of the adjustment.
 
     ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
-    ``critical_w`` is the test value beyond which a sighting disagrees. ``one_facing`` says that all
-    targets are planes with the same normal. ``rotation_in_words`` is empty but where the pitch is
-    steep, so that roll, pitch and yaw do not describe the rotation well.
+    ``critical_w`` is the test value beyond which a sighting disagrees. ``one_facing``: all targets
+    are planes with the same normal. ``rotation_in_words`` is empty except where the pitch is steep,
+    so that roll, pitch and yaw do not describe the rotation well.
     """
 
     rotation_in_words: str
@@ -282,7 +282,7 @@ class Adjustment:
 
 @dataclass(frozen=True)
 class SightingJudged:
-    """How good a sighting is; None where a figure does not apply or is not known."""
+    """Quality of a sighting; None where a value does not apply or is not known."""
 
     target: str
     line: str
@@ -317,7 +317,7 @@ class PickedPlane:
 
 @dataclass(frozen=True)
 class Line:
-    """One pass of the vessel."""
+    """One line of the survey."""
 
     name: str
     file: str
@@ -328,7 +328,7 @@ class Line:
 
 @dataclass(frozen=True)
 class ReportContent:
-    """Everything a report says."""
+    """Content of a report."""
 
     program: str
     generated: str

@@ -1,4 +1,4 @@
-"""How visible an error is, line by line over the board's inclination (thesis 3.13 to C.21)."""
+"""Visibility of an error by line and inclination of the board (thesis, figures 3.13 to C.21)."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -8,8 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from lispac.adjustment.shown import capitalised, parameter
+from lispac.language import N_, gettext
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank, dress
+from lispac.report.wording import fixed, title
 from lispac.reverse_translation.translation import Say, unchanged
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, Visibility
@@ -28,9 +29,9 @@ class Criterion:
     Attributes
     ----------
     title, label : str
-        In words, and on the axis with its unit.
+        English texts: the question, and the quantity on the axis with its unit.
     least : float
-        Height of the axis at the least, so that rounding is not blown up to a picture.
+        Smallest height of the axis, so that rounding errors are not enlarged.
     values : function of a `Visibility`
         Shape (errors, lines, inclinations), in the unit of the label.
     """
@@ -44,26 +45,30 @@ class Criterion:
 
 CRITERIA: Mapping[str, Criterion] = {
     "type-one": Criterion(
-        "Type I: is it still a board, near where it stands?", "Type I", 3, 1.0, lambda v: v.type_one
+        N_("Type I: is it still a board, near where it stands?"), N_("Type I"), 3, 1.0,
+        lambda v: v.type_one,
     ),
     "orthogonal-distance": Criterion(
-        "Type II: how far the board is shifted",
-        "Signed orthogonal distance (m)", 4, 0.02, lambda v: v.orthogonal_distance,
+        N_("Type II: how far the board is shifted"),
+        N_("Signed orthogonal distance (m)"), 4, 0.02, lambda v: v.orthogonal_distance,
     ),
     "angular-deviation": Criterion(
-        "Type II: how far the board is turned",
-        "Angular deviation (deg)", 3, 0.2, lambda v: np.degrees(v.angular_deviation),
+        N_("Type II: how far the board is turned"),
+        N_("Angular deviation (deg)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
     ),
 }  # fmt: skip
+
+
+SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_("marine")}
+"""Names of the sites within a sentence."""
 
 
 def error_in_words(error: str) -> str:
     """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
     size = SIZES[error]
-    shown = f"{100 * size:.0f} cm" if error.startswith(("lever", "range")) else (
-        f"{np.degrees(size):.0f} deg"
-    )  # fmt: skip
-    return f"{capitalised(parameter(error))} {shown}"
+    if error.startswith(("lever", "range")):
+        return gettext("{error} {size} cm", error=title(error), size=fixed(100 * size, 0))
+    return gettext("{error} {size:deg.0} deg", error=title(error), size=size)
 
 
 def _as_high(axes: Axes, values: Array, least: float) -> None:
@@ -79,12 +84,12 @@ def visibility_figure(
     error: str,
     criterion: str,
     figure: Figure | None = None,
-    say: Say = unchanged,
+    _say: Say = unchanged,
 ) -> Figure:
     """One criterion of one error: six lines over the inclination of the board.
 
-    Shaded are the inclinations that Type I keeps, dashed is the best of them. The axis is as high
-    as these need: where beams graze the board, points may lie anywhere.
+    Shaded are the inclinations accepted by Type I, dashed is the best of them. The axis covers
+    the values at these: where beams graze the board, points may lie anywhere.
 
     Parameters
     ----------
@@ -106,10 +111,13 @@ def visibility_figure(
     for k, heading in enumerate(HEADINGS_DEG):
         axes.plot(
             inclinations, values[k], color=LINE_COLOURS[k], linewidth=WIDTHS[k],
-            marker="o", markersize=WIDTHS[k] + 1.5, label=say(f"{heading} deg"),
+            marker="o", markersize=WIDTHS[k] + 1.5,
+            label=gettext("{heading:n} deg", heading=heading),
         )  # fmt: skip
     dress(
-        axes, say("Inclination of the board (deg; positive leans to the vessel)"), say(shown.label)
+        axes,
+        gettext("Inclination of the board (deg; positive leans to the vessel)"),
+        gettext(shown.label),
     )
     if criterion == "type-one":
         axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
@@ -118,10 +126,12 @@ def visibility_figure(
         _as_high(axes, values[:, np.isin(found.site.inclinations, best.kept)], shown.least)
     axes.set_xticks(inclinations[:: 3 if len(inclinations) > 20 else 1])
     axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
-    axes.set_title(
-        f"{say(error_in_words(error))}, {say(found.site.name)}. {say(shown.title)}",
-        fontsize=TEXT + 1, color=INK, loc="left",
+    head = gettext(
+        "{error}, {site}. {criterion}",
+        error=error_in_words(error), site=gettext(SITE_NAMES[found.site.name]),
+        criterion=gettext(shown.title),
     )  # fmt: skip
+    axes.set_title(head, fontsize=TEXT + 1, color=INK, loc="left")
     figure.legend(
         loc="outside lower center", ncols=6, fontsize=SMALL, frameon=False, labelcolor=INK
     )

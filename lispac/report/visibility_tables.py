@@ -1,11 +1,13 @@
-"""How visible errors are: a table of all values, and one of the best beside the thesis's."""
+"""Visibility of errors: tables of all values, and of the best configurations and the thesis."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from lispac.language import N_, gettext
 from lispac.report.blocks import Column, Table, rows
 from lispac.report.visibility_figures import CRITERIA, error_in_words
+from lispac.report.wording import fixed
 from lispac.simulation.thesis_answers import (
     ALL_ERRORS,
     Compared,
@@ -15,16 +17,29 @@ from lispac.simulation.thesis_answers import (
 from lispac.simulation.thesis_site import HEADINGS_DEG
 from lispac.simulation.visibility_study import Visibility, fewest_lines
 
-NOT_SEEN = "not seen"
+VALUES_TITLES: Mapping[str, str] = {
+    "terrestrial": N_("Visibility on the terrestrial site"),
+    "marine": N_("Visibility on the marine site"),
+}
+BEST_TITLES: Mapping[str, str] = {
+    "terrestrial": N_("Best configurations on the terrestrial site"),
+    "marine": N_("Best configurations on the marine site"),
+}
+"""Titles of the tables by the name of the site."""
+VALUES = (
+    N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
+    N_("Centroidal distance (m)"), N_("Type I"), N_("Accepted"),
+    N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
+)  # fmt: skip
+COMPARISON = (
+    N_("Error"), N_("Accepted (deg)"), N_("Accepted, thesis"), N_("Best (deg)"), N_("Best, thesis"),
+    N_("Lines that differ"), N_("Lines, thesis"), N_("Inclination"), N_("Lines"), N_("Reason"),
+)  # fmt: skip
+"""Titles of the columns; the thesis's inclinations are in degrees."""
 
 
 def values_table(found: Visibility, errors: Sequence[str]) -> Table:
-    """A row for each error, line and inclination; what has no points has no values."""
-    heads = (
-        "Error", "Line (deg)", "Inclination (deg)", "Points", "Planarity",
-        "Centroidal distance (m)", "Type I", "Kept", "Signed orthogonal distance (m)",
-        "Angular deviation (deg)",
-    )  # fmt: skip
+    """A row for each error, line and inclination; without points there are no values."""
     made = []
     for error in errors:
         e, kept = found.site.errors.index(error), found.kept(error)
@@ -36,34 +51,45 @@ def values_table(found: Visibility, errors: Sequence[str]) -> Table:
                         error, f"{heading}", f"{np.degrees(inclination):.0f}",
                         f"{found.points[place]}", _number(found.planarity[place], 4),
                         _number(found.centroidal_distance[place], 5),
-                        _number(found.type_one[place], 4), "yes" if inclination in kept else "no",
+                        _number(found.type_one[place], 4),
+                        gettext("yes") if inclination in kept else gettext("no"),
                         _number(found.orthogonal_distance[place], 6),
                         _number(np.degrees(found.angular_deviation[place]), 5),
                     )
                 )  # fmt: skip
-    title = f"Visibility on the {found.site.name} site"
-    return Table(title, tuple(map(Column, heads)), rows(made))
+    return Table(gettext(VALUES_TITLES[found.site.name]), _columns(VALUES), rows(made))
 
 
 def reading(found: Visibility, error: str, criterion: str, inclination_deg: float) -> str:
-    """What all lines show at the studied inclination nearest to one, in a sentence."""
+    """Values of all lines at the studied inclination nearest to the given one."""
     shown = CRITERIA[criterion]
     j = int(np.argmin(np.abs(np.degrees(found.site.inclinations) - inclination_deg)))
     values = shown.values(found)[found.site.errors.index(error), :, j]
-    said = ", ".join(
-        f"{heading}: {_number(value, shown.decimals) or 'no points'}"
+    lines = [
+        gettext("{heading:n} deg: {value}", heading=heading, value=_shown(value, shown.decimals))
         for heading, value in zip(HEADINGS_DEG, values, strict=True)
-    )
-    return f"{shown.label} at {np.degrees(found.site.inclinations[j]):.0f} deg on line {said}"
+    ]
+    return gettext(
+        "{quantity} at {inclination:deg.0} deg, by line: {values}",
+        quantity=gettext(shown.label), inclination=found.site.inclinations[j],
+        values="; ".join(lines),
+    )  # fmt: skip
+
+
+def _shown(value: float, decimals: int) -> str:
+    return fixed(value, decimals) if np.isfinite(value) else gettext("no points")
 
 
 def plot_table(found: Visibility, error: str, criterion: str) -> Table:
-    """What one figure is drawn from: a row an inclination, a column a line."""
+    """Values of one figure: a row for each inclination, a column for each line."""
     shown = CRITERIA[criterion]
     values = shown.values(found)[found.site.errors.index(error)]
     return Table(
-        f"{error_in_words(error)}: {shown.label}",
-        tuple(map(Column, ("Inclination (deg)", *(f"{each} deg" for each in HEADINGS_DEG)))),
+        gettext("{error}: {quantity}", error=error_in_words(error), quantity=gettext(shown.label)),
+        (
+            Column(gettext("Inclination (deg)")),
+            *(Column(gettext("{heading:n} deg", heading=each)) for each in HEADINGS_DEG),
+        ),
         rows(
             (f"{np.degrees(each):.0f}", *(_number(value, 6) for value in values[:, j]))
             for j, each in enumerate(found.site.inclinations)
@@ -73,51 +99,65 @@ def plot_table(found: Visibility, error: str, criterion: str) -> Table:
 
 def comparison_table(found: Visibility, errors: Sequence[str]) -> Table:
     """The best configuration for each error, here and in the thesis, and whether they agree."""
-    heads = (
-        "Error", "Kept (deg)", "Thesis keeps", "Best (deg)", "Thesis's best", "Lines that differ",
-        "Thesis's lines", "Inclination is", "Lines are", "Why not",
-    )  # fmt: skip
     made = [_compared(each) for each in compared_with_thesis(found) if each.best.error in errors]
-    title = f"Best configurations on the {found.site.name} site"
-    return Table(title, tuple(map(Column, heads)), rows(made))
+    return Table(gettext(BEST_TITLES[found.site.name]), _columns(COMPARISON), rows(made))
+
+
+def _columns(titles: Sequence[str]) -> tuple[Column, ...]:
+    return tuple(Column(gettext(each)) for each in titles)
 
 
 def all_errors_in_words(found: Visibility) -> str:
     """Which lines show every error, on the terrestrial site beside table 3.3 of the thesis."""
     sets = fewest_lines([found.best(error) for error in found.site.errors])
-    agree = "the same as" if lines_for_all_agree(found) else "others than"
-    beside = f" ({agree} the {len(ALL_ERRORS)} of the thesis's table 3.3)"
-    return (
-        f"Fewest lines that show every error: {'; '.join(_headings(lines) for lines in sets)}"
-        f"{beside if found.site.name == 'terrestrial' else ''}."
-    )
+    if found.site.name != "terrestrial":
+        template = N_("Fewest lines that show every error: {lines}.")
+    elif lines_for_all_agree(found):
+        template = N_(
+            "Fewest lines that show every error: {lines} (the same as the {count:n} of table 3.3 "
+            "of the thesis)."
+        )
+    else:
+        template = N_(
+            "Fewest lines that show every error: {lines} (others than the {count:n} of table 3.3 "
+            "of the thesis)."
+        )
+    return gettext(template, lines="; ".join(map(_headings, sets)), count=len(ALL_ERRORS))
 
 
 def _compared(each: Compared) -> tuple[str, ...]:
     best, stated = each.best, each.stated
-    kept = [f"{np.degrees(end):.0f}" for end in (best.kept[0], best.kept[-1])] if best.kept else []
-    thesis = stated.inclination_deg
+    accepted = gettext("none")
+    if best.kept:
+        accepted = _range(*(round(float(np.degrees(end))) for end in (best.kept[0], best.kept[-1])))
+    not_seen, thesis = gettext("not seen"), stated.inclination_deg
     return (
         error_in_words(best.error),
-        " to ".join(kept) or "none",
-        "{} to {}".format(*stated.kept_deg),
-        NOT_SEEN if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
-        NOT_SEEN if thesis is None else _about(*thesis),
+        accepted,
+        _range(*stated.kept_deg),
+        not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
+        not_seen if thesis is None else _about(*thesis),
         # Lines that show the same stand together; one of each group is enough.
-        ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else NOT_SEEN,
-        _headings(stated.lines) or NOT_SEEN,
+        ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else not_seen,
+        _headings(stated.lines) or not_seen,
         _agree(each.inclination_agrees),
         _agree(each.lines_agree),
         each.reason,
     )
 
 
+def _range(low: float, high: float) -> str:
+    return gettext("{low} to {high}", low=f"{low}", high=f"{high}")
+
+
 def _about(low: int, high: int) -> str:
-    return f"{low}" if low == high else f"about {(low + high) / 2:.0f}"
+    if low == high:
+        return f"{low}"
+    return gettext("about {inclination}", inclination=f"{(low + high) / 2:.0f}")
 
 
 def _agree(agree: bool) -> str:
-    return "the same" if agree else "different"
+    return gettext("the same") if agree else gettext("different")
 
 
 def _headings(lines: Sequence[int]) -> str:

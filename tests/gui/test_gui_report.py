@@ -115,7 +115,7 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "Order 4711" in text
     assert "size: letter;" in text
-    assert "Convention d\u2019Applanix" in text
+    assert "Convention\u00a0: Applanix" in text
     assert 'lang="fr"' in text
     assert adjusted.window.settings.report_choice() == (
         str(template), "letter", "applanix", "fr",

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.errors import InputError
+from lispac.language import N_
 from lispac.messages import error
 from lispac.survey.conventions.axes import FORWARD_PORT_UP, Axes
 
@@ -140,7 +141,7 @@ HEADING_PITCH_ROLL = (2, 1, 0)
 
 LISPAC = Convention(
     key="lispac",
-    name="This program (iXblue)",
+    name=N_("This program (iXblue)"),
     axes=FORWARD_PORT_UP,
     turns=(
         Turn("roll", 0, 1, "positive left side up"),
@@ -251,7 +252,7 @@ SYSTEMS: tuple[Convention, ...] = (
     ),
     Convention(
         key="phoenix",
-        name="Phoenix SpatialExplorer 6 and later",
+        name=N_("Phoenix SpatialExplorer 6 and later"),
         axes=FORWARD_PORT_UP,
         turns=_plain_turns(),
         order=(2, 1, 0),
@@ -264,7 +265,7 @@ SYSTEMS: tuple[Convention, ...] = (
     ),
     Convention(
         key="phoenix-1-5",
-        name="Phoenix SpatialExplorer 1 to 5",
+        name=N_("Phoenix SpatialExplorer 1 to 5"),
         axes=("starboard", "up", "aft"),
         turns=_plain_turns(),
         order=(2, 1, 0),
