@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
-from lispac.language import number, short_datetime, use_language
+from lispac.language import is_translated, number, short_datetime, use_language
 from lispac.messages import Message
 from lispac.project import Project
 from lispac.reverse_translation.catalogue import catalogue_of
@@ -119,7 +119,7 @@ def local_number(figure: str, *, sign: bool = False) -> str:
 
 def say(text: str) -> str:
     """The text in the user's language; names, and what is not known, stay as they are."""
-    if not text or language() == "en":
+    if not text or language() == "en" or is_translated(text):
         return text
     if "\n" in text and (whole := _own.with_its_lines(text)) is not None:
         return whole
