@@ -43,7 +43,7 @@ class MoreFields(QWidget):
         form.setVerticalSpacing(6)
         form.addRow(gettext("Fewest points"), self.points)
         form.addRow(gettext("Largest tilt"), self.tilt)
-        self.fold = Fold("More", f"{prefix}_more", body)
+        self.fold = Fold(gettext("More"), f"{prefix}_more", body)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.fold)
