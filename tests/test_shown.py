@@ -20,7 +20,7 @@ from lispac.gui.panels.diagnostics_rows import (
     sighting_rows,
     spread_words,
 )
-from lispac.gui.panels.result_words import component_words
+from lispac.gui.panels.result_words import component_sentences
 from lispac.report.document import document_of
 from lispac.report.wording import quantity
 from tests.report_sample import sample_content, sample_project
@@ -166,7 +166,7 @@ def test_a_variance_component_is_told_alike_everywhere(
     assert words in sentence
     print_result(result, None)
     assert f"\n{sentence}\n" in capsys.readouterr().out
-    assert sentence in component_words(result)
+    assert sentence in component_sentences(result)
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     (told,) = content.adjustment.components

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 from lispac.adjustment.parameters import Parameter
 from lispac.errors import InputError
 from lispac.gui.panels.fields import Fold
+from lispac.gui.panels.results import EMPTY
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.gui.support import (
@@ -378,9 +379,7 @@ def test_a_pick_after_an_estimate_waits_for_the_button(picked: Driver, estimated
     assert not picked.window.document.awaits_result
     picked.rest()
     assert picked.project.result is None
-    assert (
-        "Nothing estimated yet" in picked.window.results.findChild(QWidget, "results_empty").text()
-    )
+    assert picked.window.results.findChild(QWidget, "results_empty").text() == EMPTY
 
 
 def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(

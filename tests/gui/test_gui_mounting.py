@@ -196,7 +196,7 @@ def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
 
 
 def test_distances_are_in_the_unit_shown() -> None:
-    assert length_words(2.1, ".2f") == "2.10 m"
+    assert length_words(2.1, ".2f") == "2.10\u00a0m"
     units.show_in("degrees", "feet")
     try:
         assert length_words(2.1, ".2f").replace("\u00a0", " ") == f"{2.1 / 0.3048:.2f} ft"

@@ -51,7 +51,7 @@ def test_what_is_beyond_the_range_is_marked_and_the_range_is_named(form, qtbot) 
     typed(qtbot, form.up, "2173")
     assert form.up.cleanText() == "2173"
     assert form.up.property("wrong") is True
-    assert QToolTip.text() == "From -100.0000 to 100.0000 m"
+    assert QToolTip.text() == "Range: -100.0000 to 100.0000 m"
     qtbot.keyClick(form.up, Key.Key_Return)
     assert form.up.cleanText() == "2173"  # Enter does not take it
     qtbot.keyClick(form.up, Key.Key_Backspace)
@@ -69,7 +69,7 @@ def test_left_with_such_a_number_the_field_has_what_it_had_before(form, qtbot) -
     assert form.up.text() == "2.0000 m"
     assert form.up.property("wrong") is False
     assert form.told[-1] == 2.0  # 2 and 21, on the way, are taken back
-    said = "2173 is not between -100.0000 and 100.0000 m: 2.0000 m is kept"
+    said = "2173 is outside the range -100.0000 to 100.0000 m. 2.0000 m is kept."
     qtbot.waitUntil(lambda: QToolTip.text() == said, timeout=SOON_MS)
     assert QToolTip.isVisible()
 
@@ -120,7 +120,8 @@ def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
         own.show()
         qtbot.waitUntil(lambda: in_front(own), timeout=SOON_MS)
         typed(qtbot, own.up, "329,5")
-        assert QToolTip.text().replace("\N{NO-BREAK SPACE}", " ") == "De -328,0840 à 328,0840 ft"
+        shown = QToolTip.text().replace("\N{NO-BREAK SPACE}", " ")
+        assert shown == "Plage : -328,0840 à 328,0840 ft"
         own.sigma.setFocus()
         assert own.up.value() == 2.0
         typed(qtbot, own.up, "320,5")

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 
 from lispac.gui.panels.patch_angles import FINE
-from lispac.gui.panels.patch_test import PatchTestPanel
+from lispac.gui.panels.patch_test import EMPTY, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
 
 ROLL, PITCH, YAW = range(3)
@@ -55,13 +55,13 @@ def tick(driver: Driver, made: QListWidget, row: int) -> None:
 def test_it_teaches_while_there_is_nothing(opened: Driver) -> None:
     shown = opened_panel(opened)
     assert shown.words.isVisible()
-    assert "lays lines onto each other" in shown.words.text()
+    assert shown.words.text() == EMPTY
     assert not shown.all.isEnabled()
     assert not shown.angles.isEnabled()
     assert shown.propose.isEnabled()
     assert shown.pairs.count() == 15
     assert shown.pairs.item(0).text().startswith("⇄ ")
-    assert shown.pairs.item(0).toolTip() == "reciprocal"
+    assert shown.pairs.item(0).toolTip() == "reciprocal lines"
 
 
 def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driver) -> None:

@@ -89,8 +89,8 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         panel = section(picked)
         first = panel.canvas.figure.axes[0]
         assert (first.get_xlabel(), first.get_ylabel()) == (
-            "Away from the vessel, ft",
-            "Height, ft",
+            "Distance from the vessel (ft)",
+            "Height (ft)",
         )
         assert first.get_title(loc="left").endswith("\N{NO-BREAK SPACE}ft apart")
         first.set_xlim(-0.25, 0.5)
@@ -98,11 +98,11 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         press(picked, Key.Key_P, Control)
         settle(picked)
         saved = picked.dialogs.path.read_text()  # words stand as comments beside their outlines
-        assert "<!-- Height, m -->" in saved
+        assert "<!-- Height (m) -->" in saved
         assert "mm apart -->" in saved
-        assert ", ft" not in saved
+        assert "(ft)" not in saved
         assert first.get_xlim() == (-0.25, 0.5)
-        assert first.get_ylabel() == "Height, ft"
+        assert first.get_ylabel() == "Height (ft)"
     finally:
         units.show_in("degrees", "metres")
 

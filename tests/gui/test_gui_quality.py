@@ -61,8 +61,8 @@ def test_after_the_calibration_they_are_judged_with_its_boresight(
     picked.rest()
     tip = shown(picked, "T1", line, Role.ToolTipRole)
     assert "Quality: good" in tip
-    assert "rough boresight" not in tip
-    assert "Judged with the estimated boresight, from " in tip
+    assert "prior boresight" not in tip
+    assert "Computed with the estimated boresight from " in tip
     # Leaving one out keeps the lights of the others while the new result is on its way.
     picked.window.controller.use_sighting("T1", line, False)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)

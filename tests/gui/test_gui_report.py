@@ -133,8 +133,8 @@ def test_a_bad_template_is_said_at_once_and_refused(adjusted: Driver, tmp_path: 
     adjusted.dialogs.path = tmp_path / "own.toml"
     adjusted.dialogs.path.write_text("colour = 'red'")
     click(adjusted, panel.findChild(QPushButton, "report_template_choose"))
-    assert "has no colour" in panel.said.text()
-    assert panel.said.isVisible()
+    assert "has no colour" in panel.template_error.text()
+    assert panel.template_error.isVisible()
     click(adjusted, panel.report)
     (error,) = adjusted.dialogs.errors
     assert "has no colour" in str(error)

@@ -44,7 +44,7 @@ def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, sai
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(radius)
-    assert panel._threshold.specialValueText() == "default (30 mm)"
+    assert panel._threshold.specialValueText() == "default (30\u00a0mm)"
     seed(opened, balls, "S1")
     assert "RMS from their spheres" in detail(opened)
     assert said in detail(opened)
@@ -88,11 +88,11 @@ def test_only_a_target_can_be_a_ball(opened, balls):
     assert not panel._sphere_radius.isEnabled()
     panel.shape_choice.setCurrentIndex(1)
     assert panel._sphere_radius.isEnabled()
-    assert "The sphere is searched for" in panel.hint.text()
+    assert "click a sphere" in panel.hint.text()
     panel.set_role("validation")
     assert not panel.shape_choice.isEnabled()
     assert not panel._sphere_radius.isEnabled()
     assert (panel.shape, panel.sphere_radius) == ("plane", None)
-    assert panel._threshold.specialValueText() == "default (10 mm)"
+    assert panel._threshold.specialValueText() == "default (10\u00a0mm)"
     panel.set_role("target")
     assert panel.shape == "sphere"

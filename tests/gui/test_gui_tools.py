@@ -101,7 +101,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert adjusted.viewport.sketches["section"] == frame_of(cuts[0].section)
     panel.laid.setCurrentIndex(1)
     adjusted.rest()
-    assert panel.canvas.figure.axes[0].get_xlabel() == "To the right, m"
+    assert panel.canvas.figure.axes[0].get_xlabel() == "To the right (m)"
     panel.size.setValue(5.0)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlim() == (-2.5, 2.5)

@@ -1,4 +1,4 @@
-"""A matrix as text: four rows of figures of one width."""
+"""A text field for a matrix of four rows, in a font of fixed width."""
 
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit
@@ -10,7 +10,7 @@ TEXT_PIXELS = 11
 
 
 class MatrixField(QPlainTextEdit):
-    """Shows a matrix, or takes one that is typed or pasted; Tab leads on to the next field."""
+    """Shows a matrix, or accepts a typed or pasted one; Tab moves to the next field."""
 
     def __init__(self, name: str, accessible_name: str, *, read_only: bool = False) -> None:
         super().__init__()

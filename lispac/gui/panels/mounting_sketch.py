@@ -1,6 +1,6 @@
-"""Where the scanner sits on the vessel, drawn to scale from above and from starboard, and in words.
+"""Mounting of the scanner on the vessel, drawn to scale from above and from starboard, and as text.
 
-A wrong sign of a lever arm is a scanner on the wrong side: that is seen sooner than read.
+A wrong sign of the lever arm puts the scanner on the wrong side, which the sketch shows at once.
 """
 
 from collections.abc import Sequence
@@ -20,15 +20,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_message
-from lispac.gui.panels import widgets
+from lispac.gui.language import local_number, say_message
+from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
 from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
+from lispac.language import N_, gettext
 from lispac.survey.lever_arm import lever_arm_doubts
 
 View = Literal["above", "starboard"]
 VIEWS: tuple[View, ...] = ("above", "starboard")
-TITLES: dict[View, str] = {"above": "From above", "starboard": "From starboard"}
+TITLES: dict[View, str] = {"above": N_("From above"), "starboard": N_("From starboard")}
 
 _ONTO: dict[View, np.ndarray] = {
     "above": np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]]),
@@ -36,16 +37,16 @@ _ONTO: dict[View, np.ndarray] = {
 }
 """Right and up of the picture along the body's axes (forward, left, up)."""
 _SIDES: dict[View, tuple[str, str, str, str]] = {
-    "above": ("bow +X", "stern", "port +Y", "starboard"),
-    "starboard": ("up +Z", "down", "stern", "bow +X"),
+    "above": (N_("bow +X"), N_("stern"), N_("port +Y"), N_("starboard")),
+    "starboard": (N_("up +Z"), N_("down"), N_("stern"), N_("bow +X")),
 }
-"""What lies at the top, the bottom, the left and the right of the picture, and what is positive."""
+"""Labels at the top, the bottom, the left and the right of the picture, with the positive axes."""
 _HULLS: dict[View, tuple[tuple[float, float], ...]] = {
     "above": ((0.0, 0.86), (0.3, 0.45), (0.34, 0.1), (0.32, -0.84), (-0.32, -0.84), (-0.34, 0.1),
               (-0.3, 0.45)),
     "starboard": ((0.9, 0.14), (0.62, -0.4), (-0.8, -0.4), (-0.86, 0.06), (0.3, 0.06)),
 }  # fmt: skip
-"""A vessel of no particular size: right and up, in halves of the picture."""
+"""Outline of a vessel, not to scale: right and up, in halves of the picture."""
 
 REACHES = (
     0.5,
@@ -65,34 +66,33 @@ REACHES = (
     100.0,
     150.0,
 )
-"""Metres from the POS centre to the edge: steps, so that the scale does not creep as one types."""
+"""Metres from the POS centre to the edge, in steps: typing a value rarely changes the scale."""
 _BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
-"""Of the bar that shows the scale, in the unit that lengths are shown in."""
+"""Lengths of the scale bar, in the unit shown."""
 HEIGHT = 220
 """Pixels."""
 _USED = 0.66
-"""Share of the way to the edge that the longest part of a lever arm may take."""
+"""Largest part of a lever arm, as a share of the distance to the edge."""
 _AXIS, _BODY_AXIS, _DOT, _LABELLED = 22.0, 20.0, 5.0, 24.0
-"""Pixels: of axes, of the scanner's dot, and of a distance that has room for its number. The
-body's axes are the shorter ones: they go through no letter where the scanner is at the POS."""
+"""Pixels: axes of the scanner, axes of the body, dot of the scanner, and shortest distance that
+gets a label. The axes of the body are shorter, so that they cross no letter of the scanner's."""
 _SIDEWAYS = 0.86
-"""Of the way down to the edge, where the words for port and starboard stand: below the hull."""
+"""Place of the labels at the left and the right, as a share of the way down: below the hull."""
 _SEEN = 0.25
-"""Share of its length from which an axis is drawn in a view: shorter, it points at the eye."""
+"""Smallest share of its length with which an axis is drawn: a shorter one points at the eye."""
 
 
 class MountingSketch(QWidget):
-    """Two views of a vessel's body with the POS centre and the scanner at its lever arm."""
+    """Two views of the vessel with the POS centre and the scanner at its lever arm."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("mounting_sketch")
-        self.setAccessibleName(say("Where the scanner sits on the vessel"))
+        self.setAccessibleName(gettext("Mounting of the scanner on the vessel"))
         self.setToolTip(
-            say(
-                "The scanner at its lever arm, to scale; the vessel about it is of no particular "
-                "size. Grey: axes of the body. Coloured: axes of the scanner as turned by the "
-                "prior boresight, small turns shown larger."
+            gettext(
+                "Scanner at its lever arm, to scale; the vessel is not to scale. Grey: body axes. "
+                "Coloured: scanner axes rotated by the prior boresight, small rotations enlarged."
             )
         )
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -101,11 +101,11 @@ class MountingSketch(QWidget):
         self.doubtful = False
 
     def sizeHint(self) -> QSize:
-        """The size it likes best, in pixels."""
+        """Preferred size, in pixels."""
         return QSize(330, HEIGHT)
 
     def minimumSizeHint(self) -> QSize:
-        """The least size it is of use at, in pixels."""
+        """Smallest useful size, in pixels."""
         return QSize(300, HEIGHT)
 
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
@@ -125,7 +125,7 @@ class MountingSketch(QWidget):
 
     @property
     def pixels_per_metre(self) -> float:
-        """The same in both views and along every axis."""
+        """Scale of both views, along all axes."""
         return self._half / self.reach
 
     def at(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
@@ -134,23 +134,23 @@ class MountingSketch(QWidget):
         return self._centre(view) + QPointF(float(right), -float(up))
 
     def axis_at(self, view: View, axis: int) -> tuple[QPointF, QPointF]:
-        """From where to where one of the scanner's axes is drawn."""
+        """Start and end of an axis of the scanner in a view."""
         start = self.at(view, self.lever_arm)
         right, up = _AXIS * (_ONTO[view] @ self._rotation_body_scanner[:, axis])
         return start, start + QPointF(float(right), -float(up))
 
     def hull(self, view: View) -> QPolygonF:
-        """Where the vessel is drawn."""
+        """Outline of the vessel in a view."""
         centre, half = self._centre(view), self._half
         return QPolygonF([centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]])
 
     def words_beside(self, view: View) -> dict[str, QRectF]:
-        """What stands at the sides of a view, and where."""
+        """Labels at the sides of a view, with their places."""
         left, width = self.width() / 2 * VIEWS.index(view), self.width() / 2
         half, y = self._half, self._centre(view).y()
         metrics = QFontMetricsF(self._font)
         line = metrics.height()
-        top, bottom, port, starboard = (say(word) for word in _SIDES[view])
+        top, bottom, port, starboard = (gettext(label) for label in _SIDES[view])
         wide = {
             each: metrics.horizontalAdvance(each) + 2 for each in (top, bottom, port, starboard)
         }
@@ -203,10 +203,10 @@ class MountingSketch(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QColor(theme.TEXT))
         left = self.width() / 2 * VIEWS.index(view)
-        painter.drawText(QPointF(left + 7, 15), say(TITLES[view]))
+        painter.drawText(QPointF(left + 7, 15), gettext(TITLES[view]))
         painter.setPen(QColor(theme.MUTED))
-        for words, area in self.words_beside(view).items():
-            painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)
+        for label, area in self.words_beside(view).items():
+            painter.drawText(area, Qt.AlignmentFlag.AlignCenter, label)
 
     def _paint_body_axes(self, painter: QPainter, view: View) -> None:
         centre = self._centre(view)
@@ -218,9 +218,9 @@ class MountingSketch(QWidget):
         painter.setPen(QColor(theme.TEXT))
         # Away from the scanner, which lies on one of the other sides.
         away, metrics = centre - self.at(view, self.lever_arm), painter.fontMetrics()
-        x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(say("POS"))
+        x = 7.0 if away.x() > 0 else -7.0 - metrics.horizontalAdvance(gettext("POS"))
         y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
-        painter.drawText(centre + QPointF(x, y), say("POS"))
+        painter.drawText(centre + QPointF(x, y), gettext("POS"))
 
     def _paint_way(self, painter: QPainter, view: View) -> None:
         """From the POS centre to the scanner along the axes of the view, with the distances."""
@@ -239,9 +239,9 @@ class MountingSketch(QWidget):
             (np.abs(across).max(), (corner + end) / 2),
         ):
             if amount * self.pixels_per_metre < _LABELLED:
-                continue  # the words below say it
-            words = length_words(amount, ".2f")
-            width, high = painter.fontMetrics().horizontalAdvance(words), 12.0
+                continue  # the text below the sketch has it
+            label = length_words(amount, ".2f")
+            width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
             if place.x() == corner.x() == self._centre(view).x():  # beside the upright part
                 x = place.x() + 5 if leftwards else place.x() - 5 - width
                 box = QRectF(x, place.y() - high / 2, width, high)
@@ -250,7 +250,7 @@ class MountingSketch(QWidget):
                 y = place.y() + 3 if lower else place.y() - 3 - high
                 box = QRectF(place.x() - width / 2, y, width, high)
             painter.fillRect(box.adjusted(-1, 0, 1, 0), theme.colour("paper", 0.75))
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label)
 
     def _paint_scanner(self, painter: QPainter, view: View) -> None:
         for axis, (letter, colour) in enumerate(SCANNER_AXES):
@@ -276,20 +276,20 @@ class MountingSketch(QWidget):
         )
         y, x = self.height() - 9, self.width() - 8.0
         bar = length * self.pixels_per_metre
-        words = length_words(length, ".3g")
+        label = length_words(length, ".3g")
         painter.setPen(QPen(QColor(theme.MUTED), 1.5))
         painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
         for end in (x - bar, x):
             painter.drawLine(QPointF(end, y - 3), QPointF(end, y + 3))
-        wide = painter.fontMetrics().horizontalAdvance(words)
-        painter.drawText(QPointF(x - bar - wide - 5, y + 4), words)
-        painter.drawText(QPointF(7, y + 4), say(turn_words(self.factor)))
+        wide = painter.fontMetrics().horizontalAdvance(label)
+        painter.drawText(QPointF(x - bar - wide - 5, y + 4), label)
+        painter.drawText(QPointF(7, y + 4), turn_words(self.factor))
 
 
 class MountingView(QWidget):
-    """The sketch with the same in words below it; what to look at again is above both.
+    """The sketch with a description below it and warnings above it.
 
-    There it is in sight beside the fields, however low the screen is.
+    Above the sketch the warnings are visible beside the fields, on a low screen too.
     """
 
     def __init__(self, prefix: str) -> None:
@@ -305,19 +305,19 @@ class MountingView(QWidget):
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
-        """Draw and say a lever arm (metres; forward, left, up) and a boresight (degrees)."""
+        """Show a lever arm (metres; forward, left, up) and a boresight (degrees)."""
         self.sketch.show_mounting(lever_arm, boresight_deg)
-        words = f"{lever_arm_said(lever_arm)} {boresight_said(np.radians(boresight_deg))}"
-        self.words.setText(words)
-        self.sketch.setAccessibleDescription(words)
+        text = f"{lever_arm_said(lever_arm)} {boresight_said(np.radians(boresight_deg))}"
+        self.words.setText(text)
+        self.sketch.setAccessibleDescription(text)
         doubts = lever_arm_doubts(lever_arm)
         self.doubts.setText("\n".join(map(say_message, doubts)))
         self.doubts.setVisible(bool(doubts))
 
 
 def length_words(length: float, form: str) -> str:
-    """A length in the unit shown, with its sign."""
-    return units.signs(say(f"{units.figure(length, 'm', form)} m"), "m")
+    """A length (metres) with the unit shown."""
+    return local_number(units.figure(length, "m", form)) + quantities.unit_suffix("m")
 
 
 def _letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:

@@ -12,22 +12,22 @@ from lispac.survey.conventions.words import Figures, boresight_words, lever_arm_
 
 
 def lever_arm_said(lever_arm: Sequence[float] | NDArray[np.float64]) -> str:
-    """Where the optical centre is; metres, body (forward, left, up)."""
+    """Position of the optical centre; metres, body frame (forward, left, up)."""
     return units.signs(say(lever_arm_words(lever_arm, _figures("m"))), "m")
 
 
 def boresight_said(boresight: NDArray[np.float64]) -> str:
-    """Where the scanner looks; radians, roll, pitch, yaw."""
+    """Orientation of the scanner; radians, roll, pitch, yaw."""
     return units.signs(say(boresight_words(boresight, _figures("°"))), "°")
 
 
 def _figures(base: Base) -> Figures | None:
-    """None where the base is shown, which the sentence writes itself."""
+    """Writes numbers in the unit shown; None where the sentence can write them itself."""
     if not units.differs(base):
         return None
 
     def written(*values: float) -> list[str]:
-        said = [units.figure(abs(value), base, ".4f") for value in values]
-        return [each if float(each) else "" for each in said]
+        texts = [units.figure(abs(value), base, ".4f") for value in values]
+        return [text if float(text) else "" for text in texts]
 
     return written

@@ -1,4 +1,4 @@
-"""A field for a number, shown and typed in the user's unit and language."""
+"""A field for a number in the unit and the language of the user."""
 
 from collections.abc import Mapping
 
@@ -7,26 +7,26 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QValidator, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QToolTip
 
 from lispac.gui import units
-from lispac.gui.language import say
 from lispac.gui.units import Base
+from lispac.language import gettext
 
 BASES: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
-"""By the suffix of a field; others are shown in the unit they are in."""
+"""Base of a field by its suffix; other units are never converted."""
 ALIKE = 1e-9
-"""What was calculated to and fro is the same."""
+"""Relative difference below which a converted value is the same."""
 KEPT = 12
-"""Decimals of the value: as many as a typed one may need in another unit."""
-TOLD_MS = 300
-"""After the field was left: Qt hides every tip when the focus moves and when a click ends."""
+"""Decimals of the value: enough for a value typed in another unit."""
+TIP_DELAY_MS = 300
+"""Delay of the tip after the field was left: Qt hides every tip when the focus moves."""
 
 
 class NumberField(QDoubleSpinBox):
-    """Has its value in the base, with all its digits; shows it with as many as are read.
+    """Number field that keeps all digits of its value in the base and shows some of them.
 
-    A value that is only shown, or confirmed as it is shown, stays what it is. A decimal comma and
-    a decimal point are taken alike, whatever the language. A number beyond the range can be typed,
-    and is marked with the range beside it; it is never cut to another. Enter does not take it, and
-    where the field is left with it, what was there before comes back.
+    A value that is shown or confirmed without a change keeps all its digits. A decimal comma and a
+    decimal point are both accepted in every language. A number outside the range can be typed; it
+    is marked, with the range in a tip, and never clipped. Enter does not accept it, and when the
+    field loses the focus, the former value returns.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class NumberField(QDoubleSpinBox):
         super().__init__()
         self._base = base
         self._factor = 1.0 if base is None else units.unit(base).factor
-        # What is seen of it: judges and writes in the unit shown.
+        # A hidden field in the unit shown, which validates and formats.
         self._face = QDoubleSpinBox()
         self._before: float | None = None
         super().setDecimals(KEPT)
@@ -47,65 +47,65 @@ class NumberField(QDoubleSpinBox):
         line.textChanged.connect(self._mark)
 
     def setDecimals(self, decimals: int) -> None:
-        """As many as the base is shown with."""
+        """Set the number of decimals in the base."""
         self._face.setDecimals(
             decimals if self._base is None else units.decimals(decimals, self._base)
         )
         self._show_again()
 
     def decimals(self) -> int:
-        """As many as are shown."""
+        """Number of decimals shown."""
         return self._face.decimals()
 
     def setRange(self, low: float, high: float) -> None:
-        """In the base."""
+        """Set the range, in the base."""
         self._face.setRange(low * self._factor, high * self._factor)
         super().setRange(low, high)
 
     def setSuffix(self, suffix: str) -> None:
-        """Of the unit shown."""
+        """Set the suffix, for the unit shown."""
         self._face.setSuffix(suffix)
         super().setSuffix(suffix)
 
     def setSpecialValueText(self, text: str) -> None:
-        """What stands for the lowest value."""
+        """Set the text that stands for the lowest value."""
         self._face.setSpecialValueText(text)
         super().setSpecialValueText(text)
 
     def textFromValue(self, value: float) -> str:
         """Text of a value, in the unit shown."""
         shown = value * self._factor
-        # Nothing has no sign, however little is left of it behind the last digit shown
+        # A value that rounds to zero has no sign.
         return self._face.textFromValue(shown if round(shown, self.decimals()) else 0.0)
 
     def validate(self, text: str, place: int) -> object:
-        """Whether a text may become a number, or is one beyond the range."""
+        """Whether a text is a number, inside or outside the range, or the start of one."""
         found = self._face.validate(self._own(text), place)
         if found[0] is QValidator.State.Invalid and (self._minus(text) or self._beyond(text)):
             return QValidator.State.Intermediate, text, place
         return found
 
     def valueFromText(self, text: str) -> float:
-        """Value of a text in the unit shown; the value as it is where its text is the same."""
+        """Value of a text in the unit shown; the present value if its text is the same."""
         typed = self._face.valueFromText(self._own(text))
         shown = self._face.valueFromText(self.textFromValue(self.value()))
         return self.value() if typed == shown else typed / self._factor
 
     def stepBy(self, steps: int) -> None:
-        """From what is typed, or from what was there before where that is beyond the range."""
+        """Step from the typed value, or from the former one if that is outside the range."""
         self._end()
         super().stepBy(steps)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Give back what was there before, where what is typed is no number of the range."""
+        """Restore the former value if the typed one is outside the range."""
         self._end()
         super().focusOutEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter takes what is typed, unless it lies beyond the range."""
+        """Accept the typed value with Enter, unless it is outside the range."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             if self._beyond(self.text()):
-                self._say_range("")
+                self._show_range("")
                 event.accept()
                 return
             self._end()
@@ -119,29 +119,33 @@ class NumberField(QDoubleSpinBox):
         if self._before is None:
             self._before = self.value()
         if self._beyond(text):
-            self._say_range("")
+            self._show_range("")
 
     def _end(self) -> None:
-        """What is typed is done with."""
+        """End the typing: keep a valid number, else restore the former value."""
         before, self._before = self._before, None
         if before is None or self.hasAcceptableInput():
             return
         typed = self.cleanText()
         self.setValue(before)
         self._show_again()
-        self._mark(self.text())  # Qt tells of typed texts only
+        self._mark(self.text())  # Qt announces typed texts only
         if typed and self._beyond(typed):
-            QTimer.singleShot(TOLD_MS, self, lambda: self._say_range(typed))
+            QTimer.singleShot(TIP_DELAY_MS, self, lambda: self._show_range(typed))
 
-    def _say_range(self, typed: str) -> None:
-        if not self.isVisible():  # by now
+    def _show_range(self, typed: str) -> None:
+        """Show the range in a tip, and that a typed number was not accepted."""
+        if not self.isVisible():  # the tip is delayed
             return
         low = self._face.textFromValue(self._face.minimum())
         high = f"{self._face.textFromValue(self._face.maximum())}{self.suffix()}"
-        words = f"From {low} to {high}"
+        text = gettext("Range: {low} to {high}", low=low, high=high)
         if typed:
-            words = f"{typed} is not between {low} and {high}: {self.text()} is kept"
-        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), say(words), self)
+            text = gettext(
+                "{typed} is outside the range {low} to {high}. {value} is kept.",
+                typed=typed, low=low, high=high, value=self.text(),
+            )  # fmt: skip
+        QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), text, self)
 
     def _mark(self, text: str) -> None:
         wrong = self._beyond(text)
@@ -166,11 +170,11 @@ class NumberField(QDoubleSpinBox):
         return text.replace(",", point).replace(".", point)
 
     def _show_again(self) -> None:
-        """The text, which Qt would keep."""
+        """Format the text again, which Qt would keep."""
         super().setDecimals(KEPT)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Turn the value only with the focus: else the page under it moves."""
+        """Change the value with the wheel only if the field has the focus."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:

@@ -1,42 +1,54 @@
-"""Every pair of lines on a validation plane: distances, offset and turn, before and after."""
+"""Table of the pairs of lines on a validation plane: distances, offsets and angles."""
 
 from collections.abc import Sequence
 from math import degrees
 
-from lispac.gui import units
+from lispac.gui.panels import quantities
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.units import Base
+from lispac.language import N_, gettext
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.results import PairComparison, PairState, PlaneComparison
 
-_TWICE = (
-    ("RMS", "(mm)", "Root mean square distance between the lines"),
-    ("Off", "(mm)", "How far the first line lies off the second along the normal, in the median "
-     "of places (M3C2), positive towards the vessel"),
-    ("Plane off", "(mm)", "The first line's plane off the second's, positive towards the vessel"),
-    ("Turned", "(deg)", "Angle between the planes of the two lines"),
+_COLUMNS: tuple[tuple[str, str, Base], ...] = (
+    (N_("RMS before (mm)"),
+     N_("RMS of the distances between the lines before the calibration"), "mm"),
+    (N_("RMS after (mm)"),
+     N_("RMS of the distances between the lines after the calibration"), "mm"),
+    (N_("Offset before (mm)"),
+     N_("Median distance of the first line from the second along the normal (M3C2) before the "
+        "calibration, positive towards the vessel"), "mm"),
+    (N_("Offset after (mm)"),
+     N_("Median distance of the first line from the second along the normal (M3C2) after the "
+        "calibration, positive towards the vessel"), "mm"),
+    (N_("Plane offset before (mm)"),
+     N_("Distance of the plane of the first line from that of the second before the calibration, "
+        "positive towards the vessel"), "mm"),
+    (N_("Plane offset after (mm)"),
+     N_("Distance of the plane of the first line from that of the second after the calibration, "
+        "positive towards the vessel"), "mm"),
+    (N_("Tilt before (deg)"),
+     N_("Angle between the planes of the two lines before the calibration"), "°"),
+    (N_("Tilt after (deg)"),
+     N_("Angle between the planes of the two lines after the calibration"), "°"),
 )  # fmt: skip
-COLUMNS = (
-    Column("Lines", "The two lines; ⇄ where they were run in opposite directions", words=True),
-    Column("Points", "Distances, both directions together"),
-    *(
-        Column(
-            f"{name} {state} {unit}",
-            f"{tip}, {state} the calibration",
-            base="°" if unit == "(deg)" else "mm",
-        )
-        for name, unit, tip in _TWICE
-        for state in ("before", "after")
-    ),
-)
+"""Title, tip and unit of the columns of a pair's values."""
 
 
 def pairs_table() -> DiagnosticsTable:
     """The table, empty."""
-    return DiagnosticsTable("pairs_table", "Pairs of lines before and after", COLUMNS)
+    columns = [
+        Column(
+            gettext("Lines"), gettext("The two lines; ⇄: run in opposite directions"), words=True
+        ),
+        Column(gettext("Points"), gettext("Number of distances, in both directions together")),
+        *(Column(gettext(title), gettext(tip), base=base) for title, tip, base in _COLUMNS),
+    ]
+    return DiagnosticsTable("pairs_table", gettext("Pairs of lines before and after"), columns)
 
 
 def pair_rows(comparison: PlaneComparison) -> list[Row]:
-    """A row for each pair of the plane."""
+    """One row for each pair of lines on the plane."""
     return [_row(pair) for pair in comparison.pairs]
 
 
@@ -51,17 +63,16 @@ def _row(pair: PairComparison) -> Row:
     ]
     return Row(
         (
-            Cell(f"{pair.line_a}{arrow}{pair.line_b}"),
+            Cell(f"{pair.line_a}{arrow}{pair.line_b}", named=True),
             number(pair.after.distances.n, ",.0f"),
             *figures,
         ),
         tip=_tip(pair),
-        bases=("mm",),
     )
 
 
-def _mm(metres: float, form: str = ".1f") -> str:
-    return units.figure(1000 * metres, "mm", form)
+def _mm(metres: float, *, sign: bool = False) -> str:
+    return quantities.amount(1000 * metres, "mm", 1, sign=sign)
 
 
 def _off(state: PairState) -> float | None:
@@ -73,16 +84,21 @@ def _planes(states: Sequence[PairState]) -> list[PlaneOffset | None]:
 
 
 def _tip(pair: PairComparison) -> str:
-    said = []
+    lines = []
     signed, planes = pair.after.signed, pair.after.planes
     if signed is not None:
-        said.append(
-            f"After: at {signed.n:,} places the 95 % interval of one is ± "
-            f"{_mm(signed.half_width)} mm; {100 * signed.significant:.0f} % of them differ "
-            "from zero."
-        )
+        lines.append(
+            gettext(
+                "After: {count:n} places, 95 % interval of one place ± {half_width}; "
+                "{share:percent.0} % differ from zero",
+                count=signed.n, half_width=_mm(signed.half_width), share=signed.significant,
+            )
+        )  # fmt: skip
     if planes is not None:
-        said.append(
-            f"Planes after: {_mm(planes.offset, '+.1f')} ± {_mm(planes.offset_95)} mm (95 %)."
-        )
-    return "\n".join(said).replace("-", "−")
+        lines.append(
+            gettext(
+                "Plane offset after: {offset} ± {half_width} (95 %)",
+                offset=_mm(planes.offset, sign=True), half_width=_mm(planes.offset_95),
+            )
+        )  # fmt: skip
+    return "\n".join(lines)

@@ -1,31 +1,41 @@
-"""The three angles of a patch test: a slider, a field and a search for each."""
+"""The three angles of a patch test: a slider, a field and a search button for each."""
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
 
-from lispac.gui import units
-from lispac.gui.language import say
-from lispac.gui.panels import widgets
+from lispac.gui.panels import quantities, widgets
+from lispac.language import N_, gettext
 from lispac.patchtest.optimise import ANGLES
 
 Array = NDArray[np.float64]
 
 FINE = 0.001
-"""Degrees of a step of the slider."""
+"""Step of a slider, degrees."""
 FAR = 3.0
-"""Degrees to either side of where it began that a slider reaches; a field takes any angle."""
+"""Range of a slider to either side of its start, degrees; a field takes any angle."""
 NEAR = 0.3
-"""The same once an angle was found: a pixel is then some thousandths."""
-WORDS = ("Roll", "Pitch", "Yaw")
+"""Range of a slider after a search, degrees: a pixel is then a few thousandths."""
+WORDS = (N_("Roll"), N_("Pitch"), N_("Yaw"))
+_SLIDERS = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
+_FIELDS = (
+    N_("Roll of the lines in the pictures"),
+    N_("Pitch of the lines in the pictures"),
+    N_("Yaw of the lines in the pictures"),
+)
+_SEARCHES = (
+    N_("Find the roll at which the mismatch of the ticked objects is smallest"),
+    N_("Find the pitch at which the mismatch of the ticked objects is smallest"),
+    N_("Find the yaw at which the mismatch of the ticked objects is smallest"),
+)
 
 
 class PatchAngles(QWidget):
-    """Three sliders with their fields; `turned` tells of each move."""
+    """Three sliders with their fields; `turned` announces each change."""
 
     turned = Signal(int)
-    """An angle was turned: 0 roll, 1 pitch, 2 yaw."""
+    """An angle was changed: 0 roll, 1 pitch, 2 yaw."""
     find_asked = Signal(int)
 
     def __init__(self) -> None:
@@ -44,24 +54,24 @@ class PatchAngles(QWidget):
         for k, angle in enumerate(ANGLES):
             slider = QSlider(Qt.Orientation.Horizontal)
             slider.setObjectName(f"patch_{angle}_slider")
-            slider.setAccessibleName(say(f"Turn the {angle}"))
-            slider.setToolTip(say("Drag, or arrows for 0.001° and Page up and down for 0.01°"))
+            slider.setAccessibleName(gettext(_SLIDERS[k]))
+            slider.setToolTip(
+                gettext("Drag, or use the arrow keys (0.001°) or Page Up and Page Down (0.01°)")
+            )
             slider.setRange(-round(FAR / FINE), round(FAR / FINE))
             slider.setSingleStep(1)
             slider.setPageStep(10)
             slider.setMinimumWidth(70)
             field = widgets.number(
                 f"patch_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=FINE,
-                tip=f"{WORDS[k]} with which the lines are placed in the pictures",
+                tip=gettext(_FIELDS[k]),
             )  # fmt: skip
             find = widgets.button(
-                "Find this angle", f"patch_find_{angle}",
-                tip=f"Turn the {angle} alone to where the mismatch of all ticked objects is "
-                "smallest",
+                gettext("Find this angle"), f"patch_find_{angle}", tip=gettext(_SEARCHES[k])
             )  # fmt: skip
-            word = widgets.label(WORDS[k])
-            word.setBuddy(field)
-            grid.addWidget(word, 2 * k, 0)
+            title = widgets.label(gettext(WORDS[k]))
+            title.setBuddy(field)
+            grid.addWidget(title, 2 * k, 0)
             grid.addWidget(slider, 2 * k, 1)
             grid.addWidget(field, 2 * k, 2)
             grid.addWidget(find, 2 * k, 3)
@@ -76,16 +86,16 @@ class PatchAngles(QWidget):
 
     @property
     def boresight(self) -> Array:
-        """Roll, pitch and yaw as they are turned, shape (3,), radians."""
+        """Roll, pitch and yaw as set, shape (3,), radians."""
         return self._boresight.copy()
 
     def start_at(self, boresight: Array, reach: float = FAR) -> None:
-        """Put the sliders' middles and all angles there; nobody is told.
+        """Set all angles and the middles of the sliders, without a signal.
 
         Parameters
         ----------
         reach : float, degrees
-            Of the sliders, to either side.
+            Range of the sliders to either side.
         """
         self._start = np.array(boresight, dtype=float)
         for slider in self.sliders:
@@ -95,7 +105,7 @@ class PatchAngles(QWidget):
         self.turn_to(boresight)
 
     def turn_to(self, boresight: Array) -> None:
-        """Set all angles; nobody is told."""
+        """Set all angles, without a signal."""
         self._boresight = np.array(boresight, dtype=float)
         for k in range(3):
             self._show(k)
@@ -103,31 +113,37 @@ class PatchAngles(QWidget):
     def show_found(
         self, boresight: Array | None, sigma: Array | None = None, curvature: Array | None = None
     ) -> None:
-        """Write beside each angle what was found, its sigma where it has one, and what it costs.
+        """Show the angles found, their standard deviations and their effect on the lines.
 
         Parameters
         ----------
+        boresight : ndarray of shape (3,) or None, radians
+        sigma : ndarray of shape (3,) or None, radians
         curvature : ndarray of shape (3,), metres per radian
-            By how much the lines part when an angle is turned away.
+            Misalignment of the lines per error of the angle.
         """
         for k, label in enumerate(self.found):
             if boresight is None:
                 label.setText("")
                 continue
-            value = units.figure(float(np.degrees(boresight[k])), "°", "+.4f")
+            value = quantities.amount(float(np.degrees(boresight[k])), "°", 4, sign=True)
             if sigma is None:
-                words = f"found {value}°, no sigma"
+                texts = [gettext("found {angle}, no standard deviation", angle=value)]
             else:
-                spread = units.figure(float(np.degrees(sigma[k])), "°", ".4f")
-                words = f"found {value} ± {spread}°"
-            told = [units.signs(say(words), "°")]
+                spread = quantities.amount(float(np.degrees(sigma[k])), "°", 4)
+                texts = [gettext("found {angle} ± {sigma}", angle=value, sigma=spread)]
             if curvature is not None:
-                parted = units.amount(1000 * float(np.radians(0.01) * curvature[k]), "mm", ".1f")
-                told.append(say(f"0.01 deg error = {parted} misalignment"))
-            label.setText("; ".join(told))
+                distance = 1000 * float(np.radians(0.01) * curvature[k])
+                texts.append(
+                    gettext(
+                        "0.01° error = {distance} misalignment",
+                        distance=quantities.amount(distance, "mm", 1),
+                    )
+                )
+            label.setText("; ".join(texts))
 
     def allow(self, allowed: bool) -> None:
-        """Let the angles be searched for, or not; they can be turned in either case."""
+        """Enable or disable the searches; the angles can be changed in either case."""
         for find in self.finds:
             find.allow(allowed)
 

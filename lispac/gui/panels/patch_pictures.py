@@ -1,6 +1,6 @@
-"""Two pictures that follow a slider: lines about an object at true scale, and their mismatch.
+"""Pictures of the patch test: the lines at an object at true scale, and their mismatch.
 
-They are painted here and not by Matplotlib, which takes a tenth of a second for each.
+They are painted with Qt since Matplotlib takes a tenth of a second for each.
 """
 
 from collections.abc import Mapping
@@ -11,27 +11,29 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from lispac.gui import theme, units
+from lispac.gui import theme
 from lispac.gui.language import say
+from lispac.gui.panels import quantities
 from lispac.gui.viewport.base import Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.language import gettext
 from lispac.patchtest.mismatch import lowest
 
 Array = NDArray[np.float64]
 
 MARGIN, LEFT, LOW = 10, 62, 36
-"""Pixels about a picture, and beside and below the curve for its figures."""
+"""Margins in pixels: of a picture, and to the left of and below the curve."""
 DOT = 2.0
-"""Pixels of a point."""
+"""Size of a point in pixels."""
 
 
 class Picture(QWidget):
-    """A drawing on the ground of drawings, with a name for who cannot see it."""
+    """A drawing on paper, with a name for screen readers."""
 
-    def __init__(self, name: str, spoken: str) -> None:
+    def __init__(self, name: str, accessible_name: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(say(spoken))
+        self.setAccessibleName(accessible_name)
         self.setMinimumSize(160, 110)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -40,7 +42,7 @@ class Picture(QWidget):
         return QSize(360, 260)
 
     def painter(self) -> QPainter:
-        """One on an empty ground."""
+        """A painter on empty paper."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), theme.colour("paper"))
         painter.setPen(theme.colour("border"))
@@ -49,10 +51,10 @@ class Picture(QWidget):
 
 
 class LinesPicture(Picture):
-    """The lines about an object, each in its colour, at true scale."""
+    """The lines at an object, each in its colour, at true scale."""
 
     def __init__(self) -> None:
-        super().__init__("patch_section", "Section of the lines about the object")
+        super().__init__("patch_section", gettext("Section of the lines at the object"))
         self._points: Mapping[str, Array] = {}
         self._colours: Mapping[str, Colour] = {}
         self._half = np.ones(2)
@@ -66,18 +68,18 @@ class LinesPicture(Picture):
         ----------
         points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
         size : ndarray of shape (2,), metres
-            Of what is to be seen.
+            Extent of the picture.
         """
         self._points, self._colours, self._half = points, colours, 0.5 * size
         self.update()
 
     @property
     def drawn(self) -> Mapping[str, Array]:
-        """The points that are shown."""
+        """The points shown."""
         return self._points
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the points and a bar of a round length."""
+        """Draw the points and a scale bar."""
         painter = self.painter()
         wide, high = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
         scale = min(wide / (2 * self._half[0]), high / (2 * self._half[1]))
@@ -101,21 +103,21 @@ class LinesPicture(Picture):
 
 
 class CurvePicture(Picture):
-    """The mismatch over one angle, the present value and the minimum; a click chooses a value."""
+    """Mismatch over one angle with its current value and minimum; a click chooses a value."""
 
     chosen = Signal(float)
     """Radians."""
 
     def __init__(self) -> None:
-        super().__init__("patch_curve", "Mismatch over the angle")
-        self.setToolTip(say("Click to turn the angle to there"))
+        super().__init__("patch_curve", gettext("Mismatch over the angle"))
+        self.setToolTip(gettext("Click to set the angle"))
         self.setCursor(Qt.CursorShape.CrossCursor)
         self._title = ""
         self._values, self._mismatch = np.empty(0), np.empty(0)
         self._present: tuple[float, float] | None = None
 
     def show_curve(self, title: str, values: Array, mismatch: Array) -> None:
-        """Show another curve; an empty one says that it is on its way.
+        """Show another curve; an empty one while it is being computed.
 
         Parameters
         ----------
@@ -127,13 +129,13 @@ class CurvePicture(Picture):
         self.update()
 
     def show_present(self, value: float, mismatch: float) -> None:
-        """Mark the present value, radians, and its mismatch, metres; NaN where it has none."""
+        """Mark the current value, radians, and its mismatch, metres; NaN where it has none."""
         self._present = value, mismatch
         self.update()
 
     @property
     def minimum(self) -> float | None:
-        """Where the curve is lowest, radians; None at an end of it, or without one."""
+        """Angle of the smallest mismatch, radians; None at an end of the curve."""
         return lowest(self._values, self._mismatch)
 
     def place(self, value: float, mismatch: float) -> QPointF:
@@ -164,13 +166,13 @@ class CurvePicture(Picture):
             self.chosen.emit(first + across * (last - first))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw curve, marks and figures."""
+        """Draw the curve, its axes and marks."""
         painter = self.painter()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(theme.colour("text"))
         room = self.width() - 2 * MARGIN
-        words = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, room)
-        painter.drawText(QPointF(MARGIN, 17), words)
+        title = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, room)
+        painter.drawText(QPointF(MARGIN, 17), title)
         if len(self._values) > 1:
             self._axes(painter)
             line = QPolygonF(
@@ -188,18 +190,16 @@ class CurvePicture(Picture):
         painter.setPen(theme.colour("muted"))
         ends = (self._values[0], 0.5 * (self._values[0] + self._values[-1]), self._values[-1])
         for number, value in enumerate(ends):
-            words = say(units.amount(float(np.degrees(value)), "°", "+.3f"))
+            text = quantities.amount(float(np.degrees(value)), "°", 3, sign=True)
             flag = (Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignHCenter,
                     Qt.AlignmentFlag.AlignRight)[number]  # fmt: skip
             box = QRectF(frame.left() - 24, frame.bottom() + 4, frame.width() + 34, 16)
             if number != 1 or frame.width() > 240:
-                painter.drawText(box, flag, words)
+                painter.drawText(box, flag, text)
         for share in (0.0, 0.5, 1.0):
-            words = say(units.amount(1000 * share * self._most, "mm", ".0f"))
+            text = quantities.amount(1000 * share * self._most, "mm", 0)
             box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT - 6, 16)
-            painter.drawText(
-                box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, words
-            )
+            painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
     def _marks(self, painter: QPainter) -> None:
         lowest, frame = self.minimum, self._frame
@@ -207,24 +207,24 @@ class CurvePicture(Picture):
             painter.setPen(QPen(theme.colour("done"), 1.5, Qt.PenStyle.DashLine))
             x = self.place(lowest, 0.0).x()
             painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
-            figure = units.amount(float(np.degrees(lowest)), "°", "+.3f")
-            words = say(f"minimum {figure}")
+            value = quantities.amount(float(np.degrees(lowest)), "°", 3, sign=True)
+            text = gettext("minimum {angle}", angle=value)
             right = x > frame.center().x()
             room = (x - frame.left() if right else frame.right() - x) - 8
-            if painter.fontMetrics().horizontalAdvance(words) > room:
-                words = say(figure)  # the dashes say of what
+            if painter.fontMetrics().horizontalAdvance(text) > room:
+                text = value
             box = QRectF(x - 204 if right else x + 4, frame.top() + 2, 200, 16)
             side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
             painter.setPen(theme.colour("done"))
-            painter.drawText(box, side, words)
+            painter.drawText(box, side, text)
         if self._present is None:
             return
-        value, mismatch = self._present
-        if not self._values[0] <= value <= self._values[-1]:
+        angle, mismatch = self._present
+        if not self._values[0] <= angle <= self._values[-1]:
             return
         painter.setPen(QPen(theme.colour("text"), 1))
-        x = self.place(value, 0.0).x()
+        x = self.place(angle, 0.0).x()
         painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
         if np.isfinite(mismatch):
             painter.setBrush(theme.colour("text"))
-            painter.drawEllipse(self.place(value, min(mismatch, self._most)), 4, 4)
+            painter.drawEllipse(self.place(angle, min(mismatch, self._most)), 4, 4)

@@ -1,4 +1,4 @@
-"""The LiDAR patch test: objects and pairs to choose, angles to turn, and what comes of it."""
+"""The LiDAR patch test: objects, pairs of lines, angles and results."""
 
 from collections.abc import Collection, Sequence
 
@@ -20,29 +20,36 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.patch_angles import PatchAngles
 from lispac.gui.panels.patch_pictures import CurvePicture, LinesPicture
+from lispac.language import N_, gettext
 from lispac.patchtest.pairs import Kind, LinePair
 
-TITLE = "Patch test"
-EMPTY = (
-    "The patch test lays lines onto each other about objects that they share: an edge, a pillar, a "
-    "pole. Turn roll, pitch and yaw until the colours fall together; where the mismatch is "
-    "smallest, the boresight is right. Let objects be found, or click one in the view. Objects far "
-    "and high above the vessel tell most; under bridges the position may be off."
+TITLE = N_("Patch test")
+EMPTY = N_(
+    "The patch test compares the lines at objects that several lines show: edges, pillars, poles. "
+    "Change roll, pitch and yaw until the colours coincide: the mismatch is smallest at the right "
+    "boresight. Find objects or click one in the view. Distant objects high above the vessel are "
+    "best; under bridges the position may be wrong."
 )
-NO_DATA = "Open a project with two lines or more to lay them onto each other."
-VIEWS = ("From above", "Ahead of the box", "From its left")
-"""How an object is looked at."""
-CURVES = ("Object shown", "All ticked")
+NO_DATA = N_("Open a project with at least two lines to compare them.")
+VIEWS = (N_("From above"), N_("From the front of the box"), N_("From the left of the box"))
+"""Directions in which an object is shown."""
+CURVES = (N_("Object shown"), N_("All ticked objects"))
 SIGNS: dict[Kind, str] = {
     "reciprocal": "⇄", "crossing": "✕", "oblique": "∠", "same direction": "⇉",
 }  # fmt: skip
-"""Of the kinds of pairs; the tip says them in words."""
+KINDS: dict[Kind, str] = {
+    "reciprocal": N_("reciprocal lines"),
+    "crossing": N_("crossing lines"),
+    "oblique": N_("oblique lines"),
+    "same direction": N_("lines in the same direction"),
+}
+"""Signs and names of the kinds of pairs."""
 SIDE, LISTED, SPACE = 316, 100, 6
-"""Pixels of the lists together, of that of the objects, and between the pictures."""
+"""Pixels: width of both lists, of the list of objects, and space between the pictures."""
 
 
 class PatchTestPanel(QWidget):
-    """Asks by signals; shows what it is given."""
+    """Options and results of the patch test."""
 
     propose_asked = Signal()
     point_asked = Signal()
@@ -51,7 +58,7 @@ class PatchTestPanel(QWidget):
     remove_asked = Signal(str)
     go_asked = Signal(str)
     shown_changed = Signal()
-    """Another object, another side of it, or another curve is to be seen."""
+    """Another object, another side of it, or another curve is to be shown."""
     ticked_changed = Signal()
     """Other objects or pairs are to be compared."""
     all_asked = Signal()
@@ -61,14 +68,18 @@ class PatchTestPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setMinimumHeight(250)
-        self.objects = _list("patch_objects", "Objects: tick those that count")
-        self.pairs = _list("patch_pairs", "Pairs of lines: tick those that count")
+        self.objects = _list("patch_objects", gettext("Objects; only ticked ones are compared"))
+        self.pairs = _list("patch_pairs", gettext("Pairs of lines; only ticked ones are compared"))
         self.picture, self.curve, self.angles = LinesPicture(), CurvePicture(), PatchAngles()
-        self.view = widgets.Choice("patch_view", VIEWS, "From where the object is looked at")
+        self.view = widgets.Choice(
+            "patch_view", [gettext(each) for each in VIEWS],
+            gettext("Direction in which the object is shown"),
+        )  # fmt: skip
         self.of = widgets.Choice(
-            "patch_curve_of", CURVES, "Whose mismatch is drawn: of one object, or of all ticked"
-        )
-        self.words = widgets.label(EMPTY, "muted", wrap=True, name="patch_words")
+            "patch_curve_of", [gettext(each) for each in CURVES],
+            gettext("Mismatch of the object shown, or of all ticked objects"),
+        )  # fmt: skip
+        self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
         self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.words.setContentsMargins(24, 0, 24, 0)
         self.said = widgets.label("", wrap=True, name="patch_said")
@@ -86,7 +97,7 @@ class PatchTestPanel(QWidget):
         self._middle.addWidget(self._pictures())
         row.addLayout(self._middle, 1)
         row.addLayout(self._right())
-        # In a small window it is moved to and fro rather than makes the window wider.
+        # In a small window the panel scrolls and does not widen the window.
         self._area = area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
@@ -103,37 +114,48 @@ class PatchTestPanel(QWidget):
         self.allow(ready=False, busy=False, answer=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Have all of it within the width: where that is small, one picture is below the other."""
+        """Place the pictures side by side, or one below the other in a narrow panel."""
         super().resizeEvent(event)
         more = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACE
         wide = self._inside.minimumSizeHint().width() + (0 if self._beside else more)
-        # What is in it is as wide as before just now
         room = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
         self._place_curve(beside=wide <= room)
 
     def _buttons(self) -> None:
         make = widgets.button
         self.propose = make(
-            "Find objects", "patch_propose", primary=True,
-            tip="Find objects that lines share, and lay boxes about them",
+            gettext("Find objects"), "patch_propose", primary=True,
+            tip=gettext("Find objects that several lines show, and put boxes around them"),
         )  # fmt: skip
         self.point = make(
-            "Click one", "patch_point",
-            tip="Lay a box about the next point that is clicked in the view",
+            gettext("Click one"), "patch_point",
+            tip=gettext("Put a box around the next point clicked in the view"),
         )  # fmt: skip
-        self.target = make("Target", "patch_target", tip="Lay a box about the selected target")
-        self.box = make("Clip box", "patch_box", tip="Take the clip box as it lies in the view")
-        self.remove = make("Remove", "patch_remove", tip="Take the object off the list")
-        self.go = make("Go to", "patch_go", tip="Bring the object into view")
-        self.all = make("Find all three", "patch_find_all", primary=True,
-                        tip="Turn all angles to where the mismatch of all ticked objects is "
-                        "smallest, and say how well they are known")  # fmt: skip
+        self.target = make(
+            gettext("Target"), "patch_target", tip=gettext("Put a box around the selected target")
+        )
+        self.box = make(
+            gettext("Clip box"), "patch_box", tip=gettext("Use the clip box of the view")
+        )
+        self.remove = make(
+            gettext("Remove"), "patch_remove", tip=gettext("Remove the object from the list")
+        )
+        self.go = make(gettext("Go to"), "patch_go", tip=gettext("Zoom the view to the object"))
+        self.all = make(
+            gettext("Find all three"), "patch_find_all", primary=True,
+            tip=gettext(
+                "Find the three angles at which the mismatch of the ticked objects is smallest, "
+                "with their standard deviations"
+            ),
+        )  # fmt: skip
         self.keep = make(
-            "Keep this answer", "patch_keep",
-            tip="Keep the result in the project as an alternative method",
+            gettext("Keep result"), "patch_keep",
+            tip=gettext("Keep the result in the project as an alternative method"),
         )  # fmt: skip
-        self.prior = make("Start again from the prior", "patch_prior",
-                          tip="Turn all angles back to the prior boresight")  # fmt: skip
+        self.prior = make(
+            gettext("Reset to prior"), "patch_prior",
+            tip=gettext("Set all angles back to the prior boresight"),
+        )  # fmt: skip
         for button, asked in (
             (self.propose, self.propose_asked), (self.point, self.point_asked),
             (self.target, self.target_asked), (self.box, self.box_asked),
@@ -201,24 +223,24 @@ class PatchTestPanel(QWidget):
 
     @property
     def shown(self) -> str:
-        """Name of the object that is looked at; "" for none."""
+        """Name of the object shown; "" for none."""
         item = self.objects.currentItem()
         return "" if item is None else _name(item)
 
     @property
     def ticked(self) -> tuple[str, ...]:
-        """Names of the objects that count."""
+        """Names of the ticked objects."""
         return tuple(_ticked(self.objects))
 
     @property
     def ticked_pairs(self) -> frozenset[str]:
-        """Names of the pairs that count."""
+        """Names of the ticked pairs."""
         return frozenset(_ticked(self.pairs))
 
     # -- what is shown -----------------------------------------------------------------------
 
     def show_objects(self, names: Sequence[str], unticked: Collection[str], shown: str) -> None:
-        """Fill the list of objects."""
+        """Show the list of objects."""
         with QSignalBlocker(self.objects):
             _fill(self.objects, [(name, name) for name in names], unticked)
             if names:
@@ -227,30 +249,32 @@ class PatchTestPanel(QWidget):
         self._middle.setCurrentIndex(1 if names else 0)
 
     def show_pairs(self, pairs: Sequence[LinePair]) -> None:
-        """Fill the list of pairs; all are ticked."""
+        """Show the list of pairs; all are ticked."""
         with QSignalBlocker(self.pairs):
             _fill(self.pairs, [(p.name, f"{SIGNS[p.kind]} {p.name}") for p in pairs], ())
             for row, pair in enumerate(pairs):
-                self.pairs.item(row).setToolTip(say(pair.kind))
-                spoken = f"{pair.name}, {say(pair.kind)}"
-                self.pairs.item(row).setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
+                kind = gettext(KINDS[pair.kind])
+                self.pairs.item(row).setToolTip(kind)
+                self.pairs.item(row).setData(
+                    Qt.ItemDataRole.AccessibleTextRole, f"{pair.name}, {kind}"
+                )
 
-    def mark_objects(self, words: dict[str, str]) -> None:
-        """Mark the objects of which there is something to say, and say it as their tips."""
+    def mark_objects(self, remarks: dict[str, str]) -> None:
+        """Mark objects with remarks (in English, by their names), which their tips show."""
         with QSignalBlocker(self.objects):
             for row in range(self.objects.count()):
                 item = self.objects.item(row)
-                said = words.get(_name(item), "")
-                item.setText(f"{_name(item)} ⚠" if said else _name(item))
-                item.setToolTip(widgets.plain_tip(say(said)))
+                remark = remarks.get(_name(item), "")
+                item.setText(f"{_name(item)} ⚠" if remark else _name(item))
+                item.setToolTip(widgets.plain_tip(say(remark)))
 
-    def say_empty(self, words: str) -> None:
-        """Say why there is nothing."""
-        self.words.setText(say(words))
+    def say_empty(self, reason: str) -> None:
+        """Show why there are no objects: `EMPTY` or `NO_DATA`."""
+        self.words.setText(gettext(reason))
         self.show_objects((), (), "")
 
     def allow(self, *, ready: bool, busy: bool, answer: bool) -> None:
-        """Let be pressed what can be done now."""
+        """Enable what can be done now."""
         some, free = bool(self.objects.count()), ready and not busy
         for button in (self.propose, self.point, self.target, self.box):
             button.allow(free)
@@ -266,11 +290,11 @@ class PatchTestPanel(QWidget):
         self.shown_changed.emit()
 
 
-def _list(name: str, words: str) -> QListWidget:
+def _list(name: str, title: str) -> QListWidget:
     made = QListWidget()
     made.setObjectName(name)
-    made.setAccessibleName(say(words))
-    made.setToolTip(say(words))
+    made.setAccessibleName(title)
+    made.setToolTip(title)
     made.setMinimumSize(90, 60)
     return made
 

@@ -1,42 +1,64 @@
-"""What a result says besides its angles, in words: extra parameters, the fit."""
+"""Texts about a result besides its angles: other parameters and the goodness of fit."""
 
 from collections.abc import Sequence
+from html import escape
 
 from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import component_shown, counted, significance_words, surface_sigmas
-from lispac.gui import theme
-from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.language import N_, gettext
+from lispac.adjustment.shown import component_shown, significance_words
+from lispac.gui import theme, units
+from lispac.gui.language import local_number, say
+from lispac.gui.panels import quantities
+from lispac.gui.panels.adjust_parameters import KINDS, Kind
+from lispac.language import N_, Plural, gettext
 from lispac.messages import Message
 
 LEAST_SURFACE = 5e-5
-"""Metres: below it a surface sigma shows as 0.0 mm."""
+"""Metres: a smaller surface sigma is shown as 0.0 mm."""
+_TENTH_MM = 1e-4
 
 
-def taking_part(result: AdjustmentResult) -> str:
-    """``2,592 points, 12 sightings``, and the strays that were kept out."""
-    words = f"{counted(result.points, 'point')}, {counted(len(result.sightings), 'sighting')}"
-    strays = counted(result.left_out, "outlier")
-    return f"{words}; {strays} left out" if result.left_out else words
+def observation_counts(result: AdjustmentResult) -> str:
+    """Number of points and sightings used, and of outliers: ``2,592 points, 12 sightings``."""
+    points = gettext(Plural("{count:n} point", "{count:n} points"), count=result.points)
+    sightings = gettext(
+        Plural("{count:n} sighting", "{count:n} sightings"), count=len(result.sightings)
+    )
+    if not result.left_out:
+        return f"{points}, {sightings}"
+    outliers = gettext(
+        Plural("{count:n} outlier excluded", "{count:n} outliers excluded"), count=result.left_out
+    )
+    return f"{points}, {sightings}; {outliers}"
 
 
 def surface_words(result: AdjustmentResult) -> str:
-    """The surface sigma, or why there is none."""
+    """Standard deviation of the surfaces, or why there is none."""
     if not result.model.correlated:
         return "–"
     if result.model.surface == 0:
-        return "held at 0"
+        return gettext("fixed at 0")
     if result.surfaces.max() < LEAST_SURFACE:
-        return "not detected"
-    return surface_sigmas(result.surface, result.offset)
+        return gettext("not detected")
+    if result.offset is None:
+        return _millimetres(result.surface)
+    return gettext(
+        "offsets {offset}, tilts {tilt}",
+        offset=_millimetres(result.offset), tilt=_millimetres(result.surface),
+    )  # fmt: skip
+
+
+def _millimetres(metres: float) -> str:
+    if metres < LEAST_SURFACE:
+        return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM, "mm", 1))
+    return quantities.amount(1000 * metres, "mm", 1)
 
 
 FIT = (
     N_("The residuals agree with the given standard deviations. The uncertainties can be used."),
     N_("The residuals agree with the given standard deviations."),
 )
-"""Text where there is no warning, and where there is one; so the others."""
+"""Text without and with warnings; so are the others."""
 FIT_WITH_SURFACES = (
     N_(
         "The residuals agree with the given standard deviations if the targets differ by "
@@ -62,7 +84,7 @@ SMALL_RESIDUALS = (
 def verdict(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> str:
-    """What the chi-square test means, in words; no more than that where something is in doubt."""
+    """Meaning of the chi-square test; whether the uncertainties can be used, without warnings."""
     is_sure = not doubts(result, checks, also)
     if result.chi_square.passed:
         if result.model.surface is None and (most := float(result.surfaces.max())) > FLAT:
@@ -81,32 +103,44 @@ def verdict(
 def test_words(result: AdjustmentResult) -> str:
     """The chi-square test with its bounds, as rich text."""
     test = result.chi_square
-    word, colour, where = (
-        ("passed", theme.DONE, "in") if test.passed else ("failed", theme.WARNING, "not in")
+    statistic, lower, upper = (
+        local_number(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
     )
-    return (
-        f'<b style="color:{colour}">{word}</b>: {test.statistic:.4g} {where} '
-        f"[{test.lower:.4g}, {test.upper:.4g}]"
-    )
+    if test.passed:
+        title, colour, interval = gettext("passed"), theme.DONE, N_("{value} in [{lower}, {upper}]")
+    else:
+        title, colour = gettext("failed"), theme.WARNING
+        interval = N_("{value} not in [{lower}, {upper}]")
+    values = gettext(interval, value=statistic, lower=lower, upper=upper)
+    return f'<b style="color:{colour}">{title}</b>: {values}'
 
 
 def parameter_rows(result: AdjustmentResult) -> str:
-    """The values estimated besides the boresight, as rich text; empty where there are none."""
+    """The parameters estimated besides the boresight, as rich text; empty without any."""
     rows = []
     for estimate in result.parameters:
         kind = KINDS[estimate.name]
+        title = escape(say(kind.title))
         if estimate.value is None or estimate.sigma is None:
-            rows.append(f"<tr><td colspan='2'>{kind.title}: {estimate.reason}</td></tr>")
+            reason = escape(say(estimate.reason))
+            rows.append(f"<tr><td colspan='2'>{title}: {reason}</td></tr>")
             continue
+        prior = gettext("prior {value}", value=_parameter(kind, estimate.prior))
+        significance = escape(say(significance_words(estimate)))
         rows.append(
-            f"<tr><td>{kind.title}</td><td align='right' style='padding-left:14px'>"
-            f"<b>{kind.text(estimate.value)}</b> ± {kind.text(estimate.sigma, signed=False)}"
+            f"<tr><td>{title}</td><td align='right' style='padding-left:14px'>"
+            f"<b>{_parameter(kind, estimate.value)}</b> ± "
+            f"{_parameter(kind, estimate.sigma, signed=False)}"
             f"</td></tr><tr><td colspan='2' align='right' style='color:{theme.MUTED}'>"
-            f"prior {kind.text(estimate.prior)}, {significance_words(estimate)}</td></tr>"
+            f"{escape(prior)}, {significance}</td></tr>"
         )
     return f"<table width='100%'>{''.join(rows)}</table>" if rows else ""
 
 
-def component_words(result: AdjustmentResult) -> str:
-    """How large the errors are by the data; empty where that was not asked for."""
-    return "; ".join(component_shown(each).sentence for each in result.components)
+def _parameter(kind: Kind, value: float, *, signed: bool = True) -> str:
+    return units.signs(say(kind.text(value, signed=signed)), *kind.bases)
+
+
+def component_sentences(result: AdjustmentResult) -> tuple[str, ...]:
+    """The variance components, in English."""
+    return tuple(component_shown(each).sentence for each in result.components)

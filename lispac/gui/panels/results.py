@@ -1,4 +1,4 @@
-"""The answer: angles, their uncertainty, and how well the model fits."""
+"""Results of the adjustment: boresight angles, their uncertainty and the goodness of fit."""
 
 from collections.abc import Sequence
 from html import escape
@@ -23,29 +23,35 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import project_doubts
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all, say_message
-from lispac.gui.panels import result_words, widgets
+from lispac.gui.language import say, say_message
+from lispac.gui.panels import quantities, result_words, widgets
 from lispac.gui.panels.mounting_words import boresight_said
+from lispac.language import N_, gettext, number
 from lispac.messages import Message
 from lispac.project import Project, Triple
 
-CONVENTION = (
-    "The boresight turns the LiDAR frame into the body frame (forward, left, up):<br>"
-    "<b>R = R<sub>z</sub>(−yaw) · R<sub>y</sub>(pitch) · R<sub>x</sub>(roll)</b><br>"
+_FRAMES = N_("The boresight turns the LiDAR frame into the body frame (forward, left, up):")
+_FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
+_ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
+_SIGNS = N_(
     "Roll is positive left side up, pitch positive bow down, yaw positive clockwise seen from "
     "above."
 )
-EMPTY = (
-    "Nothing estimated yet. Pick at least two targets that face different ways, then press "
-    "Estimate in step 3. Roll, pitch and yaw appear here with their uncertainties."
+CONVENTION = f"{_FRAMES}<br><b>{_FORMULA.format(**_ROTATIONS)}</b><br>{_SIGNS}"
+"""Definition of the three angles, in English, as HTML."""
+ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
+EMPTY = N_(
+    "No result yet. Pick at least two targets with different orientations, then press Estimate in "
+    "step 3."
 )
+WAITING = N_("Estimating …")
 _TWO_SIDED_95 = 1.96
 _ROW = 25
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class ResultsPanel(QWidget):
-    """Reads like the first page of the report."""
+    """Result of the adjustment, in the order of the first page of the report."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -54,7 +60,7 @@ class ResultsPanel(QWidget):
         layout = widgets.column(empty)
         self.refusal = widgets.label("", "warning", wrap=True, name="results_refusal")
         layout.addWidget(self.refusal)
-        self._empty = widgets.label(EMPTY, "muted", wrap=True, name="results_empty")
+        self._empty = widgets.label("", "muted", wrap=True, name="results_empty")
         layout.addWidget(self._empty)
         layout.addStretch(1)
         self._stack.addWidget(empty)
@@ -73,11 +79,11 @@ class ResultsPanel(QWidget):
         Parameters
         ----------
         waiting : bool
-            The next result is on its way: the old one stays, greyed.
+            A new estimate is running: the last result stays, disabled.
         refusal : str
-            Why there is none.
+            Why there is no result.
         older : Message or str
-            Why an estimate was refused that was asked for after the result.
+            Why an estimate after this result failed.
         """
         result = None if project is None else project.result
         greyed = waiting and self._stack.currentIndex() == 1
@@ -88,12 +94,15 @@ class ResultsPanel(QWidget):
         self._stack.setCurrentIndex(0 if result is None else 1)
         self.refusal.setVisible(bool(refusal))
         self.refusal.setText(say(refusal))
-        self._empty.setText(say("Estimating …" if waiting else "" if refusal else EMPTY))
+        if waiting:
+            self._empty.setText(gettext(WAITING))
+        else:
+            self._empty.setText("" if refusal else gettext(EMPTY))
         if project is not None and result is not None:
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
             self._fill_rotation(result)
-            self._fill_words(project, result, older)
+            self._fill_texts(project, result, older)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 
@@ -101,8 +110,8 @@ class ResultsPanel(QWidget):
         outer = QWidget()
         around = widgets.column(outer)
         self._waiting = widgets.label(
-            "Estimating again; the figures below are those from before the change.", "hint",
-            wrap=True, name="results_waiting",
+            gettext("A new estimate is running. The values below are from before the change."),
+            "hint", wrap=True, name="results_waiting",
         )  # fmt: skip
         around.addWidget(self._waiting)
         self._body = QWidget()
@@ -110,41 +119,44 @@ class ResultsPanel(QWidget):
         layout = widgets.column(self._body, 0)
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
         layout.addWidget(self.warnings)
-        head = widgets.label("Boresight, degrees", "heading")
-        head.setText(units.signs(head.text(), "°"))
-        layout.addWidget(head)
-        self.angles = _table("angles_table", 4)
+        title = gettext("Boresight ({unit})", unit=units.unit("°").sign)
+        layout.addWidget(widgets.label(title, "heading"))
+        self.angles = _table("angles_table", gettext("Boresight angles"), 4)
         layout.addWidget(self.angles)
         self._truth_note = widgets.label(
-            "Simulated survey: the truth is known. Green lies within the 95 % interval.",
+            gettext(
+                "Simulated survey with known true angles. Green: the true angle is within the 95 % "
+                "interval."
+            ),
             "muted", wrap=True,
         )  # fmt: skip
         layout.addWidget(self._truth_note)
         self.rotation = widgets.label("", wrap=True, name="results_rotation", rich=True)
         layout.addWidget(self.rotation)
-        self._parameters_head = widgets.label("Also estimated", "heading")
+        self._parameters_head = widgets.label(gettext("Other estimated parameters"), "heading")
         layout.addWidget(self._parameters_head)
         self.parameters = widgets.label("", wrap=True, name="results_parameters", rich=True)
         layout.addWidget(self.parameters)
-        layout.addWidget(widgets.label("Weakest direction", "heading"))
+        layout.addWidget(widgets.label(gettext("Weakest direction"), "heading"))
         self.weakest = widgets.label("", wrap=True, name="results_weakest")
         layout.addWidget(self.weakest)
-        layout.addWidget(widgets.label("Fit", "heading"))
+        layout.addWidget(widgets.label(gettext("Fit"), "heading"))
         layout.addLayout(self._fit_form())
         self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
         layout.addWidget(self._verdict)
-        layout.addWidget(widgets.label("Correlation", "heading"))
-        self.correlation = _table("correlation_table", 3)
+        layout.addWidget(widgets.label(gettext("Correlation"), "heading"))
+        self.correlation = _table("correlation_table", gettext("Correlation of the angles"), 3)
         layout.addWidget(self.correlation)
-        layout.addWidget(widgets.label("Convention", "heading"))
-        layout.addWidget(
-            widgets.label(CONVENTION, "muted", wrap=True, name="convention", rich=True)
-        )
+        layout.addWidget(widgets.label(gettext("Convention"), "heading"))
+        convention = widgets.label("", "muted", wrap=True, name="convention", rich=True)
+        formula = gettext(_FORMULA, **_ROTATIONS)
+        convention.setText(f"{gettext(_FRAMES)}<br><b>{formula}</b><br>{gettext(_SIGNS)}")
+        layout.addWidget(convention)
         around.addStretch(1)
         return widgets.TallArea(outer, 380)
 
     def _fill_rotation(self, result: AdjustmentResult) -> None:
-        """The rotation where the pitch is so steep that the three angles do not describe it."""
+        """Show the rotation matrix where the pitch is too steep for the three angles."""
         is_shown = result.mounting.axes is not None
         self.rotation.setVisible(is_shown)
         if is_shown:
@@ -152,11 +164,11 @@ class ResultsPanel(QWidget):
                 f"<tr>{''.join(map(_matrix_cell, row))}</tr>"
                 for row in result.mounting.rotation_body_lidar
             )
-            words = escape(boresight_said(result.angles))
-            title = escape(say("Rotation matrix, LiDAR to body (forward, left, up):"))
-            self.rotation.setText(f"{words}<br>{title}<table>{rows}</table>")
+            sentence = escape(boresight_said(result.angles))
+            title = escape(gettext("Rotation matrix, LiDAR to body (forward, left, up):"))
+            self.rotation.setText(f"{sentence}<br>{title}<table>{rows}</table>")
 
-    def _fill_words(self, project: Project, result: AdjustmentResult, older: Message | str) -> None:
+    def _fill_texts(self, project: Project, result: AdjustmentResult, older: Message | str) -> None:
         also = list(project_doubts(project))
         if older:
             also.insert(0, refused_since(older))
@@ -164,76 +176,84 @@ class ResultsPanel(QWidget):
         self.warnings.setText("<br><br>".join(escape(say_message(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
-        self.parameters.setText(units.signs(say(rows), "m", "°"))
+        self.parameters.setText(rows)
         for each in (self._parameters_head, self.parameters):
             each.setVisible(bool(rows))
-        seen = result.observability
-        self.weakest.setText(say("Not worked out." if seen is None else seen.sentences[0]))
+        observability = result.observability
+        self.weakest.setText(
+            gettext("Not computed.") if observability is None else say(observability.sentences[0])
+        )
 
     def _fit_form(self) -> QFormLayout:
         form = QFormLayout()
         form.setHorizontalSpacing(14)
         form.setVerticalSpacing(4)
         self._values = {}
-        for key, words in (
-            ("rms", "RMS point-to-plane"),
-            ("factor", "Variance factor"),
-            ("chi", "Chi-square test"),
-            ("points", "Points, sightings"),
-            ("model", "POS errors"),
-            ("surface", "Surface sigma"),
-            ("iterations", "Iterations, time"),
+        for key, title in (
+            ("rms", gettext("RMS point-to-plane")),
+            ("factor", gettext("Variance factor")),
+            ("chi", gettext("Chi-square test")),
+            ("points", gettext("Points, sightings")),
+            ("model", gettext("POS correlation time")),
+            ("surface", gettext("Surface roughness")),
+            ("iterations", gettext("Iterations, time")),
         ):
             value = widgets.label(name=f"result_{key}", rich=True)
             value.setFont(theme.tabular(value.font()))
             value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._values[key] = value
-            form.addRow(widgets.label(words, "muted"), value)
+            form.addRow(widgets.label(title, "muted"), value)
         return form
 
     def _fill_fit(self, project: Project, result: AdjustmentResult) -> None:
-        before, after = (
-            units.figure(1000 * each, "mm", ".1f") for each in (result.rms_before, result.rms_after)
-        )
-        components = result_words.component_words(result)
+        before = quantities.figure(1000 * result.rms_before, "mm", 1)
+        after = quantities.amount(1000 * result.rms_after, "mm", 1)
         texts = {
-            "rms": f"{before} → <b>{after} mm</b>",
-            "factor": f"{result.variance_factor:.3f}",
+            "rms": f"{before} → <b>{after}</b>",
+            "factor": number(result.variance_factor, 3),
             "chi": result_words.test_words(result),
-            "points": result_words.taking_part(result),
-            "model": _model_words(result.model),
+            "points": result_words.observation_counts(result),
+            "model": _correlation_times(result.model),
             "surface": result_words.surface_words(result),
-            "iterations": f"{result.iterations}, {result.elapsed:.2f} s",
+            "iterations": gettext(
+                "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
+            ),
         }
         for key, text in texts.items():
-            self._values[key].setText(units.signs(say(text), "mm"))
-        words = result_words.verdict(result, project.cross_checks, project_doubts(project))
-        self._verdict.setText(
-            say(f"{words} Errors by the data: {components}." if components else words)
-        )
+            self._values[key].setText(text)
+        verdict = result_words.verdict(result, project.cross_checks, project_doubts(project))
+        components = "; ".join(map(say, result_words.component_sentences(result)))
+        if components:
+            found = gettext(
+                "Standard deviations from the data: {components}.", components=components
+            )
+            verdict = f"{verdict} {found}"
+        self._verdict.setText(verdict)
 
 
 def _matrix_cell(value: float) -> str:
-    number = say(f"{value:+.8f}".replace("-", "−"))
-    return f"<td align=right>{number}&nbsp;&nbsp;</td>"
+    return f"<td align=right>{quantities.signed(value, 8)}&nbsp;&nbsp;</td>"
 
 
-def _model_words(model: StochasticModel) -> str:
+def _correlation_times(model: StochasticModel) -> str:
     if not model.correlated:
-        return "uncorrelated (classical)"
-    return f"correlated, {model.position_time:g} s and {model.attitude_time:g} s"
+        return gettext("uncorrelated (classical)")
+    return gettext(
+        "position {position:s} s, attitude {attitude:s} s",
+        position=model.position_time, attitude=model.attitude_time,
+    )  # fmt: skip
 
 
-def _table(name: str, rows: int) -> QTableWidget:
+def _table(name: str, title: str, rows: int) -> QTableWidget:
     table = QTableWidget(rows, len(ANGLES))
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
-    table.setAccessibleName(say(name.replace("_", " ")))
+    table.setAccessibleName(title)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
     table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    table.setHorizontalHeaderLabels(say_all(angle.capitalize() for angle in ANGLES))
+    table.setHorizontalHeaderLabels([gettext(name) for name in ANGLE_NAMES])
     for column in range(len(ANGLES)):
         table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
     side = table.verticalHeader()
@@ -247,10 +267,10 @@ def _table(name: str, rows: int) -> QTableWidget:
     return table
 
 
-def _set_rows(table: QTableWidget, words: Sequence[str]) -> None:
-    table.setRowCount(len(words))
-    table.setVerticalHeaderLabels(say_all(list(words)))
-    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(words) + 3)
+def _set_rows(table: QTableWidget, titles: Sequence[str]) -> None:
+    table.setRowCount(len(titles))
+    table.setVerticalHeaderLabels(list(titles))
+    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(titles) + 3)
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:
@@ -258,59 +278,61 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
     sigma = np.degrees(result.sigma)
     interval = _TWO_SIDED_95 * sigma
     rows = [
-        ("Prior", prior, "+.4f", "Where the adjustment started"),
-        ("Estimated", value, "+.4f", "The adjusted boresight"),
-        ("± 1 σ", sigma, ".4f", "One standard deviation"),
-        ("± 95 %", interval, ".4f", "Half width of the 95 % interval: 1.96 σ"),
+        (gettext("Prior"), gettext("Angle before the adjustment"), prior, True),
+        (gettext("Estimated"), gettext("Angle after the adjustment"), value, True),
+        ("± 1 σ", gettext("Standard deviation"), sigma, False),
+        ("± 95 %", gettext("Half width of the 95 % confidence interval: 1.96 σ"), interval, False),
     ]
     if truth is not None:
-        rows.append(("Truth", np.array(truth), "+.4f", "What the simulator put in"))
+        tip = gettext("Angle that the survey was simulated with")
+        rows.append((gettext("True value"), tip, np.array(truth), True))
     _set_rows(table, [row[0] for row in rows])
-    for k, (word, numbers, form, tip) in enumerate(rows):
-        _write_row(
-            table, k, [units.figure(n, "°", form) for n in numbers], bold=word == "Estimated"
-        )
-        table.verticalHeaderItem(k).setToolTip(say(tip))
+    for k, (_, tip, angles, sign) in enumerate(rows):
+        texts = [quantities.figure(angle, "°", 4, sign=sign) for angle in angles]
+        _write_row(table, k, texts, bold=angles is value)
+        table.verticalHeaderItem(k).setToolTip(tip)
     for column in range(len(ANGLES) if truth is not None else 0):
-        off = value[column] - truth[column]
-        inside = abs(off) <= interval[column]
+        error = value[column] - truth[column]
+        is_inside = abs(error) <= interval[column]
         item = table.item(4, column)
-        item.setForeground(QBrush(QColor(theme.DONE if inside else theme.WARNING)))
+        item.setForeground(QBrush(QColor(theme.DONE if is_inside else theme.WARNING)))
         item.setToolTip(
-            units.signs(
-                say(
-                    f"Estimated minus truth: {units.figure(off, '°', '+.4f')}°, "
-                    f"{'inside' if inside else 'outside'} the 95 % interval"
-                ),
-                "°",
+            gettext(
+                N_("Estimated minus true angle: {difference}, inside the 95 % interval")
+                if is_inside
+                else N_("Estimated minus true angle: {difference}, outside the 95 % interval"),
+                difference=quantities.amount(error, "°", 4, sign=True),
             )
         )
 
 
 def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
-    _set_rows(table, [angle.capitalize() for angle in ANGLES])
+    _set_rows(table, [gettext(name) for name in ANGLE_NAMES])
     for row in range(3):
-        _write_row(table, row, [f"{value:+.2f}" for value in result.correlation[row]])
+        _write_row(table, row, [quantities.signed(each, 2) for each in result.correlation[row]])
         for column in range(3):
             item = table.item(row, column)
             value = float(result.correlation[row, column])
             item.setBackground(QBrush(_heat(value)))
             if row != column and abs(value) > HIGH_CORRELATION:
                 item.setToolTip(
-                    say("These two angles are hardly told apart: add a target that faces elsewhere")
+                    gettext(
+                        "These two angles are hardly separated. Add a target with another "
+                        "orientation."
+                    )
                 )
 
 
 def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: bool = False) -> None:
     for column, text in enumerate(texts):
-        item = QTableWidgetItem(say(text.replace("-", "−")))
+        item = QTableWidgetItem(text)
         item.setTextAlignment(_RIGHT)
         item.setFont(theme.tabular(table.font(), bold=bold))
         table.setItem(row, column, item)
 
 
 def _heat(value: float) -> QColor:
-    """Paper at 0, blue towards +1, orange towards -1; text stays readable on both."""
+    """Background of a correlation: paper at 0, blue towards +1, orange towards -1."""
     full = QColor(theme.POSITIVE if value >= 0 else theme.NEGATIVE)
     share = min(abs(value), 1.0)
     ends = zip(QColor(theme.PAPER).getRgb()[:3], full.getRgb()[:3], strict=True)

@@ -1,4 +1,4 @@
-"""A section of all lines: what is cut, how thick and how large, and its picture."""
+"""Section through all lines: its options and its picture."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -10,28 +10,31 @@ from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
+from lispac.language import N_, gettext
 from lispac.workflow.sections import Cut
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-TITLE = "Section"
-LAID = ("Upright", "Level")
-EMPTY = (
-    "Select a target to see all lines side by side in a strip across it, or cut from one point to "
-    "another. Where the lines stand apart or lean, the boresight is wrong."
+TITLE = N_("Section")
+LAID = (N_("Vertical"), N_("Horizontal"))
+"""Orientations of the strip."""
+EMPTY = N_(
+    "Select a target to see all lines in a strip across it, or cut between two points. Where the "
+    "lines are displaced or tilted against each other, the boresight is wrong."
 )
-ZOOM = "Wheel: zoom. Drag: move. Double click: all of it."
-AHEAD, HEIGHT, RIGHT = "Away from the vessel, m", "Height, m", "To the right, m"
+ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+AHEAD, HEIGHT = N_("Distance from the vessel (m)"), N_("Height (m)")
+RIGHT, ALONG = N_("To the right (m)"), N_("Distance from the first point (m)")
+"""Titles of the axes."""
 PRINT_DPI = 200
-ALONG = "From the first point to the second, m"
 
 
 class SectionPanel(QWidget):
-    """Asks for sections by `changed` and shows them."""
+    """Options of the section, which `changed` announces, and its picture."""
 
     changed = Signal()
-    """Something is set otherwise."""
+    """An option was changed."""
     points_asked = Signal()
     picture_asked = Signal()
     copy_asked = Signal()
@@ -41,37 +44,43 @@ class SectionPanel(QWidget):
         self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
         self.laid = widgets.Choice(
-            "section_laid", LAID,
-            "Upright shows height against distance: roll and pitch. Level looks down: yaw.",
+            "section_laid", [gettext(title) for title in LAID],
+            gettext(
+                "Vertical: height against distance, shows errors of roll and pitch. Horizontal: "
+                "seen from above, shows errors of yaw."
+            ),
         )  # fmt: skip
         self.thickness = widgets.number(
             "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
-            tip="Thickness of the strip",
+            tip=gettext("Thickness of the strip"),
         )  # fmt: skip
         self.size = widgets.number(
             "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
-            tip="Height of the picture, and its width across a target",
+            tip=gettext("Height of the section, and its width across a target"),
         )  # fmt: skip
         self.thickness.setValue(0.20)
         self.size.setValue(2.0)
         self.points = widgets.button(
-            "Between two points", "section_points", tip="Cut from one clicked point to another"
-        )
+            gettext("Between two points"), "section_points",
+            tip=gettext("Cut from one clicked point to another"),
+        )  # fmt: skip
         self.save_picture = widgets.button(
-            "Save…", "section_save", tip="Write the section as it is shown, as PNG, SVG or PDF"
-        )
+            gettext("Save…"), "section_save",
+            tip=gettext("Save the section as shown, as PNG, SVG or PDF"),
+        )  # fmt: skip
         self.copy_picture = widgets.button(
-            "Copy", "section_copy", tip="Copy the section as it is shown, to be pasted elsewhere"
-        )
+            gettext("Copy"), "section_copy",
+            tip=gettext("Copy the section as shown to the clipboard"),
+        )  # fmt: skip
         pictures = QHBoxLayout()
         pictures.addWidget(self.save_picture, 1)
         pictures.addWidget(self.copy_picture, 1)
-        self.words = widgets.label(EMPTY, "muted", wrap=True, name="section_words")
+        self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
-        form.addRow(say("Strip"), self.laid)
-        form.addRow(say("Thickness"), self.thickness)
-        form.addRow(say("Size"), self.size)
+        form.addRow(gettext("Strip"), self.laid)
+        form.addRow(gettext("Thickness"), self.thickness)
+        form.addRow(gettext("Size"), self.size)
         self._left = QVBoxLayout()
         self._left.addLayout(form)
         self._left.addWidget(self.points)
@@ -84,7 +93,7 @@ class SectionPanel(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
-        # Where the picture comes: beside the settings there is no room for it all.
+        # In the place of the picture: beside the options there is no room for the text.
         self._row.addWidget(self.words, 1)
         self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.words.setContentsMargins(24, 0, 24, 0)
@@ -99,7 +108,7 @@ class SectionPanel(QWidget):
 
     @property
     def level(self) -> bool:
-        """Whether the strip lies level."""
+        """Whether the strip is horizontal."""
         return self.laid.currentIndex() == 1
 
     @property
@@ -108,10 +117,7 @@ class SectionPanel(QWidget):
         return bool(self.through.text())
 
     def printed(self) -> "Figure":
-        """The section as it is shown, under what it cuts, on paper of its own.
-
-        Drawn from it is nothing that another thread may not draw.
-        """
+        """A figure of the section as shown, under its title, that another thread may save."""
         from matplotlib.figure import Figure
 
         shown = self.canvas.figure
@@ -127,10 +133,10 @@ class SectionPanel(QWidget):
         self.save_picture.allow(allowed)
         self.copy_picture.allow(allowed)
 
-    def show_nothing(self, words: str = EMPTY) -> None:
-        """Say why there is no section."""
+    def show_nothing(self, reason: str = EMPTY) -> None:
+        """Show why there is no section."""
         self.through.setText("")
-        self.words.setText(say(words))
+        self.words.setText(gettext(EMPTY) if reason == EMPTY else say(reason))
         self.words.show()
         self._allow_pictures(False)
         if self.canvas is not None:
@@ -143,22 +149,23 @@ class SectionPanel(QWidget):
 
         Parameters
         ----------
-        through : what is cut
-        target : whether it lies across a target, and not between two points
+        through : what is cut, in English
+        target : whether the section is across a target, or between two points
         """
-        self.through.setText(say(through))
+        title = say(through)
+        self.through.setText(title)
         self.laid.setEnabled(target)
         self.words.hide()
         self._make_canvas()
         across = RIGHT if self.level else AHEAD
-        words = (across, AHEAD if self.level else HEIGHT) if target else (ALONG, HEIGHT)
-        self._shown = cuts, colours, words
+        axes = (across, AHEAD if self.level else HEIGHT) if target else (ALONG, HEIGHT)
+        self._shown = cuts, colours, axes
         self._draw(self.canvas.figure)
         self._zooming.keep()
         self.canvas.draw_idle()
         self.canvas.show()
         self._allow_pictures(True)
-        self.canvas.setAccessibleName(say(f"Section of the lines: {through}"))
+        self.canvas.setAccessibleName(gettext("Section of the lines: {section}", section=title))
 
     def _draw(self, figure: "Figure") -> None:
         # Imported here, so that the start of the window does not wait for Matplotlib.
@@ -174,6 +181,6 @@ class SectionPanel(QWidget):
 
         self.canvas = Chart(300, 150, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
-        self.canvas.setToolTip(say(ZOOM))
+        self.canvas.setToolTip(gettext(ZOOM))
         self._zooming = Zooming(self.canvas)
         self._row.addWidget(self.canvas, 1)

@@ -1,4 +1,4 @@
-"""The picture of a section: all lines at true scale, before beside after."""
+"""Figure of a section: all lines at true scale, before and after side by side."""
 
 from collections.abc import Mapping, Sequence
 
@@ -7,28 +7,34 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from lispac.gui import theme, units
+from lispac.gui import theme
 from lispac.gui.language import say
+from lispac.gui.panels import quantities
 from lispac.gui.panels.ticks import in_units
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.language import N_, gettext
 from lispac.workflow.sections import Cut
 
 MOST = 60_000
-"""Points drawn in a picture; evenly taken from all lines where there are more."""
+"""Largest number of points drawn; of more, an even subsample of all lines."""
 TEXT, SMALL = 9, 8
-TITLES = {"prior": "Before", "estimated": "After"}
+TITLES = {"prior": N_("Before"), "estimated": N_("After")}
+TITLES_WITH_DISTANCE = {
+    "prior": N_("Before: up to {distance} apart"),
+    "estimated": N_("After: up to {distance} apart"),
+}
 
 
 def draw_section(
-    cuts: Sequence[Cut], colours: Mapping[str, Colour], words: tuple[str, str], figure: Figure
+    cuts: Sequence[Cut], colours: Mapping[str, Colour], titles: tuple[str, str], figure: Figure
 ) -> None:
     """Draw cuts side by side with common limits.
 
     Parameters
     ----------
     colours : of each line
-    words : what the axes mean, to the right and upwards
+    titles : of the axes to the right and upwards, in English
     """
     figure.clear()
     first: Axes | None = None
@@ -36,9 +42,9 @@ def draw_section(
         axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
         first = first or axes
         _draw(axes, cut, colours)
-        axes.set_xlabel(say(words[0]), fontsize=TEXT, color=theme.TEXT)
+        axes.set_xlabel(gettext(titles[0]), fontsize=TEXT, color=theme.TEXT)
         if number == 1:
-            axes.set_ylabel(say(words[1]), fontsize=TEXT, color=theme.TEXT)
+            axes.set_ylabel(gettext(titles[1]), fontsize=TEXT, color=theme.TEXT)
         in_units(axes.xaxis, "m")
         in_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
@@ -56,11 +62,11 @@ def draw_section(
 
 
 def title(cut: Cut) -> str:
-    """Which placement it is, and how far apart the lines are, in the user's language and unit."""
+    """Title of a cut: before or after, and the largest distance between two lines."""
     if cut.apart is None:
-        return say(TITLES[cut.which])
-    apart = units.figure(cut.apart * 1000, "mm", ".0f")
-    return units.signs(say(f"{TITLES[cut.which]}: up to {apart} mm apart"), "mm")
+        return gettext(TITLES[cut.which])
+    distance = quantities.amount(1000 * cut.apart, "mm", 0)
+    return gettext(TITLES_WITH_DISTANCE[cut.which], distance=distance)
 
 
 def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
@@ -83,20 +89,20 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
     axes.spines[:].set_color(theme.MUTED)
     axes.set_title(title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
     if not total:
-        axes.text(0.5, 0.5, say("No points here"), transform=axes.transAxes, ha="center",
+        axes.text(0.5, 0.5, gettext("No points here"), transform=axes.transAxes, ha="center",
                   color=theme.MUTED, fontsize=TEXT)  # fmt: skip
     _bar(axes, 2 * half)
 
 
 def _bar(axes: Axes, extent: Array) -> None:
-    """A bar of a round length in the lower left corner."""
+    """Draw a scale bar in the lower left corner."""
     metres = scale_length(1.0, 0.3 * float(extent.min()))
-    words = say(length_text(metres))
+    length = say(length_text(metres))
     left, low = -0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
               solid_capstyle="butt")  # fmt: skip
     axes.annotate(
-        words, (left, low), xytext=(0, 4), textcoords="offset points",
+        length, (left, low), xytext=(0, 4), textcoords="offset points",
         fontsize=SMALL, color=theme.TEXT,
         bbox={"facecolor": theme.PAPER, "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Targets by lines: points and RMS of every sighting, and which of them take part."""
+"""Table of targets by lines: points and RMS of every sighting, and which are used."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,9 +16,10 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme, units
 from lispac.gui.language import say
-from lispac.gui.panels import widgets
+from lispac.gui.panels import quantities, widgets
+from lispac.language import N_, Plural, gettext, number
 from lispac.project import PickedSighting, Project, Target
-from lispac.targets.quality import SightingQuality
+from lispac.targets.quality import Light, SightingQuality
 from lispac.workflow.survey import Survey
 
 Role = Qt.ItemDataRole
@@ -26,12 +27,16 @@ Index = QModelIndex | QPersistentModelIndex
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 EDITED = "\N{LOWER RIGHT PENCIL}"
-_EMPTY = "No targets yet. Hold Ctrl and click a target in the view: one row for each appears here."
-_NAME_TIP = "Tick to let the whole target take part"
+_EMPTY = N_("No targets yet. Hold Ctrl and click a target in the view.")
+_LIGHTS: dict[Light, str] = {
+    "good": N_("Quality: good"),
+    "doubtful": N_("Quality: doubtful"),
+    "poor": N_("Quality: poor"),
+}
 
 
 class SightingsModel(QAbstractTableModel):
-    """First column the target, then one for each line; the last row is for whole lines."""
+    """Model with a column for the targets and one for each line; the last row: whole lines."""
 
     target_used = Signal(str, bool)
     line_used = Signal(str, bool)
@@ -46,7 +51,7 @@ class SightingsModel(QAbstractTableModel):
         self._colours: dict[str, tuple[int, int, int]] = {}
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show another value."""
+        """Show another project."""
         self.beginResetModel()
         self._project = project
         self._lines = [] if project is None else [line.name for line in project.lines]
@@ -55,7 +60,7 @@ class SightingsModel(QAbstractTableModel):
         self.endResetModel()
 
     def show_qualities(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
-        """Show how good the sightings are, by the names of target and line."""
+        """Show the quality of the sightings, by the names of target and line."""
         self._qualities = qualities
         if self.rowCount():
             last = self.index(self.rowCount() - 1, self.columnCount() - 1)
@@ -77,7 +82,7 @@ class SightingsModel(QAbstractTableModel):
         return 1 + self._lines.index(line) if line in self._lines else 0
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
-        """One for each target, and one for the lines where any is adjusted."""
+        """One for each target, and one for whole lines if any target is adjusted."""
         targets = len(self._targets)
         return 0 if parent.isValid() or not targets else targets + bool(self._adjusted)
 
@@ -87,9 +92,8 @@ class SightingsModel(QAbstractTableModel):
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
         """Name of a line with its heading, and its colour."""
-        said = _said(self._head(section, orientation, role))
-        tip = role == Role.ToolTipRole and said is not None
-        return widgets.plain_tip(units.signs(said, "mm", figures=False)) if tip else said
+        value = self._head(section, orientation, role)
+        return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
 
     def _head(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
         if orientation == Qt.Orientation.Vertical:
@@ -97,7 +101,7 @@ class SightingsModel(QAbstractTableModel):
         if role == Role.TextAlignmentRole:
             return _LEFT if section == 0 else _RIGHT
         if section == 0:
-            return "Target" if role == Role.DisplayRole else None
+            return gettext("Target") if role == Role.DisplayRole else None
         line = self._lines[section - 1]
         heading = self._heading.get(line)
         if role == Role.DisplayRole:
@@ -105,7 +109,11 @@ class SightingsModel(QAbstractTableModel):
         if role == Role.DecorationRole:
             return theme.swatch(self._colours[line])
         if role == Role.ToolTipRole:
-            return f"{line}: points and RMS about the sighting's own plane, in millimetres"
+            return gettext(
+                "{line}: number of points, and RMS of their distances to the plane of the sighting "
+                "({unit})",
+                line=line, unit=units.unit("mm").sign,
+            )  # fmt: skip
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -120,9 +128,8 @@ class SightingsModel(QAbstractTableModel):
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
         """What a cell shows."""
-        said = _said(self._of(index, role))
-        is_tip = role == Role.ToolTipRole and said is not None
-        return widgets.plain_tip(said) if is_tip else said
+        value = self._of(index, role)
+        return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
 
     def _of(self, index: Index, role: int) -> Any:
         if index.row() == len(self._targets):
@@ -139,7 +146,7 @@ class SightingsModel(QAbstractTableModel):
         return self._of_sighting(target, sighting, role)
 
     def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
-        """Take over a tick."""
+        """Emit the signal of a tick."""
         if role != Role.CheckStateRole:
             return False
         used = Qt.CheckState(value) == Qt.CheckState.Checked
@@ -170,19 +177,21 @@ class SightingsModel(QAbstractTableModel):
 
     def _of_line(self, column: int, role: int) -> Any:
         if column == 0:
-            words = {
-                Role.DisplayRole: "Whole line",
-                Role.ToolTipRole: "Untick a line to leave out all targets on it",
+            values = {
+                Role.DisplayRole: gettext("Whole line"),
+                Role.ToolTipRole: gettext("Untick a line to exclude all its sightings"),
                 Role.ForegroundRole: QBrush(QColor(theme.MUTED)),
             }
-            return words.get(Role(role))
+            return values.get(Role(role))
         line = self._lines[column - 1]
         sightings = self._on_line(line)
         used = sum(sighting.used for sighting in sightings)
         if role == Role.TextAlignmentRole:
             return _RIGHT if sightings else Qt.AlignmentFlag.AlignCenter
         if role == Role.DisplayRole:
-            return f"{used} of {len(sightings)} used" if sightings else "–"
+            if not sightings:
+                return "–"
+            return gettext("{used:n} of {total:n} used", used=used, total=len(sightings))
         if role == Role.ForegroundRole:
             return QBrush(QColor(theme.MUTED))
         if role == Role.CheckStateRole and sightings:
@@ -190,7 +199,9 @@ class SightingsModel(QAbstractTableModel):
                 return Qt.CheckState.PartiallyChecked
             return Qt.CheckState.Checked if used else Qt.CheckState.Unchecked
         if role == Role.ToolTipRole and sightings:
-            return f"{line}: untick to leave out every target on it, tick to use them all"
+            return gettext(
+                "{line}: untick to exclude all sightings of this line, tick to use them", line=line
+            )
         return None
 
     def _sighting(self, index: Index) -> PickedSighting | None:
@@ -200,9 +211,10 @@ class SightingsModel(QAbstractTableModel):
         used = target.used and sighting.used
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
-            light = "   poor" if quality is not None and quality.light == "poor" else ""
+            is_poor = quality is not None and quality.light == "poor"
+            light = "   " + gettext("poor") if is_poor else ""
             edited = f" {EDITED}" if sighting.by_hand else ""
-            return f"{len(sighting.indices):,}   {_mm(sighting.rms)}{light}{edited}"
+            return f"{number(len(sighting.indices), 0)}   {_mm(sighting.rms)}{light}{edited}"
         if role == Role.DecorationRole and quality is not None:
             return theme.light(quality.light)
         if role == Role.CheckStateRole:
@@ -215,28 +227,45 @@ class SightingsModel(QAbstractTableModel):
 
     def _tip(self, target: Target, sighting: PickedSighting) -> str:
         lines = [
-            f"{target.name} on {sighting.line}: {len(sighting.indices):,} points, "
-            f"{_mm(sighting.rms)} RMS about their own plane"
-        ]
+            gettext(
+                Plural(
+                    "{target} in line {line}: {count:n} point, RMS {rms} to their own plane",
+                    "{target} in line {line}: {count:n} points, RMS {rms} to their own plane",
+                )
+                if target.shape == "plane"
+                else Plural(
+                    "{target} in line {line}: {count:n} point, RMS {rms} to their own sphere",
+                    "{target} in line {line}: {count:n} points, RMS {rms} to their own sphere",
+                ),
+                target=target.name, line=sighting.line, count=len(sighting.indices),
+                rms=_mm(sighting.rms),
+            )
+        ]  # fmt: skip
         if (quality := self._qualities.get((target.name, sighting.line))) is not None:
-            lines += [quality_words(quality)]
+            lines.append(say(quality_words(quality)))
         if sighting.by_hand:
-            lines.append(f"{EDITED} Points edited with the lasso; they stay as they were chosen")
+            edited = gettext("Points edited with the lasso")
+            lines.append(f"{EDITED} {edited}")
         if sighting.one_in > 1:
-            lines.append(f"Drawn from one in {sighting.one_in} of the many points about the seed")
+            lines.append(
+                gettext("Subsample: one in {count:n} of the points near the seed",
+                        count=sighting.one_in)
+            )  # fmt: skip
         result = None if self._project is None else self._project.result
         for residual in () if result is None else result.sightings:
             if (residual.sighting.target, residual.sighting.line) == (target.name, sighting.line):
                 lines.append(
-                    f"Distance to the adjusted plane: {_mm(residual.rms_before)} RMS "
-                    f"before, {_mm(residual.rms_after)} after"
-                )
-        lines.append("Untick to leave this sighting out")
+                    gettext(
+                        "RMS distance to the adjusted surface: {before} before, {after} after",
+                        before=_mm(residual.rms_before), after=_mm(residual.rms_after),
+                    )
+                )  # fmt: skip
+        lines.append(gettext("Untick to exclude this sighting"))
         return "\n".join(lines)
 
 
 class SightingsTable(QTableView):
-    """The table; a selected cell tells which sighting it is."""
+    """Table view of the sightings; announces the one that is selected."""
 
     sighting_selected = Signal(str, str)
 
@@ -244,7 +273,7 @@ class SightingsTable(QTableView):
         super().__init__()
         self.setTabKeyNavigation(False)
         self.setObjectName("sightings_table")
-        self.setAccessibleName(say("Targets by lines"))
+        self.setAccessibleName(gettext("Targets by lines"))
         self.sightings = SightingsModel()
         self.setModel(self.sightings)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -258,7 +287,7 @@ class SightingsTable(QTableView):
         self.selectionModel().currentChanged.connect(self._moved)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Show another value; the selected cell stays selected where it still is."""
+        """Show another project; the selected cell stays selected if it still exists."""
         key = self.sightings.key(self.currentIndex())
         place = self.currentIndex()
         row, column = place.row(), place.column()
@@ -267,14 +296,14 @@ class SightingsTable(QTableView):
             self._set_current(row, column)
 
     def select(self, name: str) -> None:
-        """Select a target's row by its name, without telling anyone."""
+        """Select the row of a target, without a signal."""
         row = self.sightings.row_of(name)
         key = self.sightings.key(self.currentIndex())
         if row is not None and (key is None or key[0] != name):
             self._set_current(row, 0)
 
     def go_to(self, name: str, line: str) -> None:
-        """Select the cell of a sighting, without telling anyone, and scroll to it."""
+        """Select the cell of a sighting, without a signal, and scroll to it."""
         row = self.sightings.row_of(name)
         if row is not None:
             column = self.sightings.column_of(line)
@@ -282,14 +311,14 @@ class SightingsTable(QTableView):
             self.scrollTo(self.sightings.index(row, column))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the table, or what to do for one."""
+        """Paint the table, or how to fill it while it is empty."""
         super().paintEvent(event)
         if self.sightings.rowCount() == 0:
             painter = QPainter(self.viewport())
             painter.setPen(QColor(theme.MUTED))
             area = self.viewport().rect().adjusted(16, 8, -16, -8)
             painter.drawText(
-                area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, say(_EMPTY)
+                area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, gettext(_EMPTY)
             )
             painter.end()
 
@@ -308,37 +337,49 @@ class SightingsTable(QTableView):
 
 
 def _mm(metres: float) -> str:
-    return units.amount(1000 * metres, "mm", ".1f")
+    return quantities.amount(1000 * metres, "mm", 1)
 
 
 def quality_words(quality: SightingQuality) -> str:
-    """The light, its reasons and the figures behind them, a line each."""
-    figures = [f"range {units.amount(quality.range, 'm', '.1f')}"]
+    """The quality, its reasons (in English) and the values behind them, one on each line."""
+    lines = [
+        gettext(_LIGHTS[quality.light]),
+        *quality.reasons,
+        gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
+    ]
     if quality.density is not None:
-        figures.append(f"{quality.density:,.0f} points per m²")
+        lines.append(gettext("Density: {density:x.0} points per m²", density=quality.density))
     if quality.incidence is not None:
-        figures.append(f"{quality.incidence * 57.29578:.0f}° from the normal")
+        lines.append(gettext("Angle of incidence: {angle:deg.0}°", angle=quality.incidence))
     if quality.extent is not None:
-        wide, high = quality.extent
-        figures.append(f"{units.figure(wide, 'm', '.2f')} × {units.amount(high, 'm', '.2f')}")
+        width, height = (quantities.amount(each, "m", 2) for each in quality.extent)
+        lines.append(gettext("Size: {width} × {height}", width=width, height=height))
     if quality.share_shown is not None:
-        figures.append(f"{100 * quality.share_shown:.0f} % of what the other lines show")
-    lines = [f"Quality: {quality.light}", *quality.reasons, ", ".join(figures)]
+        lines.append(
+            gettext(
+                "Extent observed: {share:percent.0} % of what the other lines show",
+                share=quality.share_shown,
+            )
+        )
     if quality.smear is not None:
         lines.append(
-            f"Up to {_mm(quality.smear)} (RMS) may be the error of the rough boresight; "
-            "it does not count before the calibration"
+            gettext(
+                "Up to {rms} (RMS) may be caused by the prior boresight; this part is not counted "
+                "before the calibration",
+                rms=_mm(quality.smear),
+            )
         )
     elif quality.incidence is not None:
         lines.append(
-            f"Judged with the estimated boresight, from {quality.points:,} points with an RMS of "
-            f"{_mm(quality.rms)}"
-        )
+            gettext(
+                Plural(
+                    "Computed with the estimated boresight from {count:n} point, RMS {rms}",
+                    "Computed with the estimated boresight from {count:n} points, RMS {rms}",
+                ),
+                count=quality.points, rms=_mm(quality.rms),
+            )
+        )  # fmt: skip
     return "\n".join(lines)
-
-
-def _said(value: Any) -> Any:
-    return say(value) if isinstance(value, str) else value
 
 
 def _of_name(target: Target, role: int) -> Any:
@@ -350,8 +391,12 @@ def _of_name(target: Target, role: int) -> Any:
     if role == Role.CheckStateRole:
         return Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked
     if role == Role.ToolTipRole:
-        what = "takes part in the adjustment" if is_target else "validation plane, takes no part"
-        return f"{target.name}: {what}\n{_NAME_TIP}"
+        role_name = (
+            gettext("{target}: used in the adjustment", target=target.name)
+            if is_target
+            else gettext("{target}: validation plane, not adjusted", target=target.name)
+        )
+        return role_name + "\n" + gettext("Tick to use the target")
     return None
 
 
@@ -361,9 +406,18 @@ def _of_missing(target: Target, line: str, role: int) -> Any:
     if role == Role.ForegroundRole:
         return QBrush(QColor(theme.DISABLED))
     if role == Role.ToolTipRole:
-        reason = target.missing.get(line, "not searched for on this line")
-        return (
-            f"{target.name} on {line}: {reason}\nTo seed this line alone, choose it under "
-            "“Seek on” in step 2 and Ctrl+click."
+        if line in target.missing:
+            reason = gettext(
+                "{target} in line {line}: {reason}",
+                target=target.name, line=line, reason=say(target.missing[line]),
+            )  # fmt: skip
+        else:
+            reason = gettext(
+                "{target} in line {line}: not searched for", target=target.name, line=line
+            )
+        action = gettext(
+            "To pick it in this line alone, choose the line under “Search in” in step 2 and "
+            "Ctrl+click."
         )
+        return f"{reason}\n{action}"
     return None

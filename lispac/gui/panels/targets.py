@@ -1,4 +1,4 @@
-"""Step 2: seeds, the candidate just found, and the list of targets."""
+"""Step 2: options of the next seed, the candidate just found, and the list of targets."""
 
 from html import escape
 
@@ -18,21 +18,23 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
-from lispac.gui.panels import widgets
+from lispac.gui.language import local_number
+from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
 from lispac.gui.panels.more_fields import MoreFields
+from lispac.gui.units import Base
 from lispac.gui.wishes import Wishes
+from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.workflow.survey import Survey
 
-ALL_LINES = "All lines"
+ALL_LINES = N_("All lines")
 
 
 class TargetsPanel(QWidget):
-    """How the next seed is taken, accept or reject, and what has been picked."""
+    """Options of the next seed, the candidate to accept or reject, and the list of targets."""
 
     role_changed = Signal(str)
     accepted = Signal()
@@ -42,7 +44,7 @@ class TargetsPanel(QWidget):
     used_changed = Signal(str, bool)
     selected = Signal(str)
     current_changed = Signal()
-    """Another row, or none, is selected; told or not."""
+    """Another row, or none, was selected, by the user or by the program."""
     propose_asked = Signal()
 
     def __init__(self) -> None:
@@ -72,43 +74,43 @@ class TargetsPanel(QWidget):
 
     @property
     def role(self) -> Role:
-        """What the next seed makes."""
+        """Whether the next seed is for a target or a validation plane."""
         return "validation" if self._validation.isChecked() else "target"
 
     @property
     def shape(self) -> Shape:
-        """Shape of what the next seed makes; lines are compared on planes only."""
-        sphere = self.shape_choice.currentIndex() == 1 and self.role == "target"
-        return "sphere" if sphere else "plane"
+        """Shape of the next target; a validation target is always a plane."""
+        is_sphere = self.shape_choice.currentIndex() == 1 and self.role == "target"
+        return "sphere" if is_sphere else "plane"
 
     @property
     def sphere_radius(self) -> float | None:
-        """Radius of the ball in metres, None where it is unknown, and for planes."""
+        """Radius of the sphere in metres, None where it is unknown, and for planes."""
         return self._sphere_radius.value() or None if self.shape == "sphere" else None
 
     @property
     def line(self) -> str | None:
-        """The one line the next seed is for, or None for all."""
+        """Name of the line that the next seed is for, or None for all."""
         return self.line_choice.currentText() if self.line_choice.currentIndex() > 0 else None
 
     @property
     def radius(self) -> float | None:
-        """Search radius in metres, None for the finder's own."""
+        """Search radius in metres, None for the default."""
         return self._radius.value() or None
 
     @property
     def threshold(self) -> float | None:
-        """RANSAC threshold in metres, None for the project's own."""
+        """RANSAC threshold in metres, None for that of the project."""
         return self._threshold.value() / 1000 or None
 
     @property
     def expected(self) -> ExpectedTarget | None:
-        """What is known of the next plane beforehand, None where nothing is."""
+        """Expected size and tilt of the next plane, None where nothing is given."""
         return self._expected.value if self.shape == "plane" else None
 
     @property
     def wishes(self) -> Wishes:
-        """What the next seed is to make, and how it is sought."""
+        """All options of the next seed."""
         return Wishes(
             self.role, self.line, self.current, self.threshold, self.radius, self.shape,
             self.sphere_radius, self.expected, self.more.value,
@@ -121,24 +123,24 @@ class TargetsPanel(QWidget):
         return self._names[rows[0].row()] if rows else None
 
     def set_role(self, role: str) -> None:
-        """Choose what the next seed makes."""
+        """Choose whether the next seed is for a target or a validation plane."""
         (self._validation if role == "validation" else self._target).setChecked(True)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
-        """Fill in the list and the lines."""
+        """Show the targets and the lines of a project."""
         self._project, self._survey = project, survey
         lines = [] if project is None else [line.name for line in project.lines]
         known = [self.line_choice.itemText(k) for k in range(1, self.line_choice.count())]
         if known != lines:
             self.line_choice.clear()
-            self.line_choice.addItem(say(ALL_LINES))
+            self.line_choice.addItem(gettext(ALL_LINES))
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
         self._show_default_threshold()
         self._list(project)
 
     def show_candidate(self, candidate: Target | None, project: Project | None) -> None:
-        """Offer what was just found."""
+        """Show the candidate to accept or reject, where there is one."""
         self.candidate.setVisible(candidate is not None)
         if candidate is not None and project is not None:
             self.candidate.fill(candidate, project, self._survey)
@@ -149,12 +151,12 @@ class TargetsPanel(QWidget):
         return tuple(self._names)
 
     def select(self, name: str) -> None:
-        """Select a target in the list, without telling anyone."""
+        """Select a target in the list, without the signal `selected`."""
         if name in self._names and self.current != name:
             self.table.blockSignals(True)
             self.table.selectRow(self._names.index(name))
             self.table.blockSignals(False)
-            self._selection_changed(tell=False)
+            self._selection_changed(emit=False)
 
     def _list(self, project: Project | None) -> None:
         targets = () if project is None else project.targets
@@ -171,7 +173,7 @@ class TargetsPanel(QWidget):
         self.table.blockSignals(False)
         rows = 26 * min(max(len(targets), 3), 8)
         self.table.setFixedHeight(self.table.horizontalHeader().sizeHint().height() + rows + 4)
-        self._selection_changed(tell=False)
+        self._selection_changed(emit=False)
 
     def _item_changed(self, item: QTableWidgetItem) -> None:
         name = self._names[item.row()]
@@ -180,36 +182,44 @@ class TargetsPanel(QWidget):
         elif item.column() == 0:
             self.used_changed.emit(name, item.checkState() == Qt.CheckState.Checked)
 
-    def _selection_changed(self, tell: bool = True) -> None:
+    def _selection_changed(self, emit: bool = True) -> None:
         name = self.current
         self.rename.setEnabled(name is not None)
         self.remove.setEnabled(name is not None)
         self.current_changed.emit()
-        if name is not None and tell:
+        if name is not None and emit:
             self.selected.emit(name)
         self._explain()
 
     def _explain(self) -> None:
-        line, current = escape(self.line or ""), escape(self.current or "")
+        """Show what the next click does."""
+        line, target = escape(self.line or ""), escape(self.current or "")
+        is_sphere = self.shape == "sphere"
         if self.line is None:
-            text = (
-                "Hold <b>Ctrl</b> and click a target in the view. "
-                f"The {self.shape} is searched for on every line."
-            )
+            text = N_("Hold <b>Ctrl</b> and click a plane in the view. All lines are searched.")
+            if is_sphere:
+                text = N_(
+                    "Hold <b>Ctrl</b> and click a sphere in the view. All lines are searched."
+                )
         elif self.current is not None:
-            text = (
-                f"<b>Ctrl</b>+click gives {current} a sighting of its own on {line}; "
-                "its other lines stay as they are."
+            text = N_(
+                "<b>Ctrl</b>+click replaces the sighting of {target} in line {line}. Its other "
+                "sightings are not changed."
             )
         else:
-            text = (
-                f"<b>Ctrl</b>+click seeks a new {self.shape} on {line} only. To add the line "
-                "to a target, select the target in the list first."
+            text = N_(
+                "<b>Ctrl</b>+click picks a new plane in line {line} only. To add the line to an "
+                "existing target, select the target in the list first."
             )
-        self.hint.setText(say(text))
+            if is_sphere:
+                text = N_(
+                    "<b>Ctrl</b>+click picks a new sphere in line {line} only. To add the line to "
+                    "an existing target, select the target in the list first."
+                )
+        self.hint.setText(gettext(text, line=line, target=target))
 
     def _shape_changed(self) -> None:
-        """Only a target can be a sphere, and only a sphere has a radius."""
+        """Enable the fields of the shape: validation targets are planes, spheres have a radius."""
         self.shape_choice.setEnabled(self.role == "target")
         self._sphere_radius.setEnabled(self.shape == "sphere")
         self._expected.setEnabled(self.shape == "plane")
@@ -221,18 +231,24 @@ class TargetsPanel(QWidget):
             return
         from lispac.workflow.seeking import Sought
 
-        sought = Sought(self.shape, self.sphere_radius)
-        usual = sought.threshold(self._project.settings.threshold) * 1000
-        said = say(f"default ({units.figure(usual, 'mm', '.0f')} mm)")
-        self._threshold.setSpecialValueText(units.signs(said, "mm"))
+        search = Sought(self.shape, self.sphere_radius)
+        default = 1000 * search.threshold(self._project.settings.threshold)
+        self._threshold.setSpecialValueText(
+            gettext("default ({threshold})", threshold=quantities.amount(default, "mm", 0))
+        )
 
     def _roles(self) -> QHBoxLayout:
+        # The space separates the text from the icon.
         self._target = widgets.button(
-            " Target", "role_target", tip="The plane or sphere takes part in the adjustment (F6)"
-        )
+            " " + gettext("Target"), "role_target",
+            tip=gettext("Plane or sphere used in the adjustment (F6)"),
+        )  # fmt: skip
         self._validation = widgets.button(
-            " Validation plane", "role_validation",
-            tip="The plane takes no part; the lines are compared on it before and after (F7)",
+            " " + gettext("Validation plane"), "role_validation",
+            tip=gettext(
+                "Plane not used in the adjustment, on which the lines are compared before and "
+                "after (F7)"
+            ),
         )  # fmt: skip
         group = QButtonGroup(self)
         row = QHBoxLayout()
@@ -254,79 +270,85 @@ class TargetsPanel(QWidget):
     def _shape_fields(self) -> None:
         self.shape_choice = QComboBox()
         self.shape_choice.setObjectName("shape_choice")
-        self.shape_choice.addItems(say_all(["Plane", "Sphere"]))
+        self.shape_choice.addItems([gettext("Plane"), gettext("Sphere")])
         self.shape_choice.setToolTip(
-            say(
-                "Shape of the target; lines are compared on planes only, so a validation "
-                "target is one"
-            )
+            gettext("Shape of the target. Lines are compared on planes only.")
         )
         self.shape_choice.currentIndexChanged.connect(self._shape_changed)
         self._sphere_radius = widgets.number(
             "sphere_radius", suffix=" m", decimals=4, low=0, high=10, step=0.01,
-            tip="Radius of the ball, not its diameter; 0 where it is unknown: balls of "
-            f"{units.limit(0.05, 'm')} to {units.limit(0.5, 'm')} m are then searched for and the "
-            "radius is estimated",
+            tip=gettext(
+                "Radius of the sphere, not its diameter. 0: unknown; spheres with radii of "
+                "{smallest} to {largest} are searched for and the radius is estimated.",
+                smallest=_limit(0.05, "m"), largest=_limit(0.5, "m"),
+            ),
         )  # fmt: skip
-        widgets.convert_tip(self._sphere_radius, "m")
-        self._sphere_radius.setSpecialValueText(say("unknown"))
+        self._sphere_radius.setSpecialValueText(gettext("unknown"))
         self._sphere_radius.valueChanged.connect(self._shape_changed)
 
     def _seed_form(self) -> QFormLayout:
         self._shape_fields()
         self.line_choice = QComboBox()
         self.line_choice.setObjectName("line_choice")
-        self.line_choice.addItem(say(ALL_LINES))
+        self.line_choice.addItem(gettext(ALL_LINES))
         self.line_choice.setToolTip(
-            say("Choose one line to seed it alone, where the search from another line failed")
+            gettext("Choose one line to search it alone, where the search of all lines failed")
         )
         self.line_choice.currentIndexChanged.connect(self._explain)
         self._radius = widgets.number(
             "search_radius", suffix=" m", decimals=2, low=0, high=100, step=0.25,
-            tip="Only points this near to the seed can belong to the target; 0 leaves it to the "
-            "program",
+            tip=gettext(
+                "Largest distance of a point of the target from the seed. 0: the default is used."
+            ),
         )  # fmt: skip
-        self._radius.setSpecialValueText(say("default"))
+        self._radius.setSpecialValueText(gettext("default"))
         self._threshold = widgets.number(
             "threshold", suffix=" mm", decimals=0, low=0, high=1000, step=5,
-            tip="Farthest a point may lie from its plane or sphere (RANSAC threshold); 0 gives the "
-            f"larger of {units.limit(10.0, 'mm')} mm and 3 × the LiDAR noise, for spheres at least "
-            f"{units.limit(30.0, 'mm')} mm (a small ball: 0.3 of its radius)",
+            tip=gettext(
+                "Largest distance of a point from its plane or sphere (RANSAC threshold). 0: the "
+                "larger of {plane} and 3 × the LiDAR noise; for spheres at least {sphere}, or 0.3 "
+                "of the radius of a small sphere.",
+                plane=_limit(10.0, "mm"), sphere=_limit(30.0, "mm"),
+            ),
         )  # fmt: skip
-        widgets.convert_tip(self._threshold, "mm")
-        self._threshold.setSpecialValueText(say("default"))
+        self._threshold.setSpecialValueText(gettext("default"))
         self._expected = ExpectedFields()
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow(say("Shape"), self.shape_choice)
-        form.addRow(say("Ball radius"), self._sphere_radius)
-        form.addRow(say("Seek on"), self.line_choice)
-        form.addRow(say("Search radius"), self._radius)
-        form.addRow(say("Threshold"), self._threshold)
-        form.addRow(say("Expected"), self._expected)
+        form.addRow(gettext("Shape"), self.shape_choice)
+        form.addRow(gettext("Sphere radius"), self._sphere_radius)
+        form.addRow(gettext("Search in"), self.line_choice)
+        form.addRow(gettext("Search radius"), self._radius)
+        form.addRow(gettext("Threshold"), self._threshold)
+        form.addRow(gettext("Expected"), self._expected)
         return form
 
     def _buttons(self) -> QGridLayout:
-        self.rename = widgets.button("Rename", "rename_target", icon="pencil-outline", tip="F2")
-        self.remove = widgets.button("Remove", "remove_target", icon="trash-can-outline", tip="Del")
+        self.rename = widgets.button(
+            gettext("Rename"), "rename_target", icon="pencil-outline", tip=gettext("Rename (F2)")
+        )
+        self.remove = widgets.button(
+            gettext("Remove"), "remove_target", icon="trash-can-outline",
+            tip=gettext("Remove (Del)"),
+        )  # fmt: skip
         self.rename.clicked.connect(self._rename)
         self.remove.clicked.connect(self._remove)
-        gone = QShortcut(QKeySequence.StandardKey.Delete, self.table, self._remove)
-        gone.setContext(Qt.ShortcutContext.WidgetShortcut)
+        delete = QShortcut(QKeySequence.StandardKey.Delete, self.table, self._remove)
+        delete.setContext(Qt.ShortcutContext.WidgetShortcut)
         self.propose = widgets.button(
-            "Propose targets", "propose_targets", icon="auto-fix",
-            tip="Find flat surfaces on all lines and propose targets and validation planes",
+            gettext("Propose targets"), "propose_targets", icon="auto-fix",
+            tip=gettext("Find planes in all lines and propose targets and validation planes"),
         )  # fmt: skip
         self.propose.clicked.connect(self.propose_asked)
         self.type_seed = widgets.button(
-            "Coordinates…", "type_seed", icon="crosshairs-gps",
-            tip="Type the coordinates of a seed, in the local frame or on the map (F3)",
+            gettext("Coordinates…"), "type_seed", icon="crosshairs-gps",
+            tip=gettext("Enter local or map coordinates of a seed (F3)"),
         )  # fmt: skip
         self.list_seeds = widgets.button(
-            "From a file…", "list_seeds", icon="format-list-bulleted",
-            tip="Pick all targets of a list of coordinates (Shift+F3)",
+            gettext("From a file…"), "list_seeds", icon="format-list-bulleted",
+            tip=gettext("Pick all targets of a list of coordinates (Shift+F3)"),
         )  # fmt: skip
         rows = QGridLayout()
         rows.addWidget(self.type_seed, 0, 0)
@@ -346,12 +368,19 @@ class TargetsPanel(QWidget):
             self.removed.emit(self.current)
 
 
+def _limit(value: float, base: Base) -> str:
+    """End of a range with its unit."""
+    return f"{local_number(units.limit(value, base))}{quantities.unit_suffix(base)}"
+
+
 def _targets_table() -> QTableWidget:
     table = QTableWidget(0, 4)
     table.setTabKeyNavigation(False)
     table.setObjectName("targets_table")
-    table.setAccessibleName(say("Targets and validation planes"))
-    table.setHorizontalHeaderLabels(say_all(["Name", "Role", "Shape", "Lines"]))
+    table.setAccessibleName(gettext("Targets and validation planes"))
+    table.setHorizontalHeaderLabels(
+        [gettext("Name"), gettext("Role"), gettext("Shape"), gettext("Lines")]
+    )
     for column in (0, 1, 2):
         table.horizontalHeaderItem(column).setTextAlignment(
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -378,14 +407,24 @@ def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
     name = QTableWidgetItem(theme.swatch(colour), target.name)
     name.setFlags(flags | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEditable)
     name.setCheckState(Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked)
-    name.setToolTip(say("Tick to use it; double-click or F2 to rename"))
-    role = QTableWidgetItem(say("target" if is_target else "validation"))
-    shape = QTableWidgetItem(say(target.shape))
+    name.setToolTip(gettext("Tick to use it. Double-click or press F2 to rename it."))
+    role = QTableWidgetItem(gettext("target") if is_target else gettext("validation"))
+    shape = QTableWidgetItem(_shape_name(target.shape))
     if target.shape == "sphere":
         radius = target.sphere_radius
-        shape.setToolTip(say(f"Radius {radius:g} m (known)" if radius else "Radius unknown"))
-    lines = QTableWidgetItem(say(f"{len(target.used_sightings)} of {len(project.lines)}"))
+        shape.setToolTip(
+            gettext("Given radius: {radius}", radius=_limit(radius, "m"))
+            if radius
+            else gettext("Radius unknown")
+        )
+    lines = QTableWidgetItem(
+        gettext("{used:n} of {total:n}", used=len(target.used_sightings), total=len(project.lines))
+    )
     lines.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     for item in (role, shape, lines):
         item.setFlags(flags)
     return [name, role, shape, lines]
+
+
+def _shape_name(shape: Shape) -> str:
+    return gettext("sphere") if shape == "sphere" else gettext("plane")

@@ -1,4 +1,4 @@
-"""Figures beside the axes of a plot: in the unit shown, and with the language's decimal sign."""
+"""Tick labels of a plot, in the unit shown and with the decimal sign of the language."""
 
 from collections.abc import Sequence
 
@@ -12,7 +12,7 @@ from lispac.gui.units import Base
 
 
 def in_units(axis: Axis, base: Base) -> None:
-    """Show an axis that is drawn in a base in the unit chosen, at round figures of that."""
+    """Label an axis that is drawn in a base in the unit shown, at round values of that unit."""
     if not units.differs(base):
         return
     factor = units.unit(base).factor
@@ -22,7 +22,7 @@ def in_units(axis: Axis, base: Base) -> None:
 
 
 def spoken_ticks(figure: Figure) -> None:
-    """Write the decimals of all plain axes as the language does."""
+    """Label all plain axes with the decimal sign of the language."""
     if QLocale().decimalPoint() == ".":
         return
     for axes in figure.axes:
@@ -37,7 +37,7 @@ def _spoken(text: str) -> str:
 
 
 class _Round(MaxNLocator):
-    """Places that are round in another unit."""
+    """Ticks at round values of another unit."""
 
     def __init__(self, factor: float) -> None:
         super().__init__(nbins="auto", steps=[1, 2, 2.5, 5, 10])
@@ -49,7 +49,7 @@ class _Round(MaxNLocator):
 
 
 class _Spoken(Formatter):
-    """As another one, with the language's decimal sign."""
+    """Labels of another formatter, with the decimal sign of the language."""
 
     def __init__(self, plain: ScalarFormatter) -> None:
         self._plain = plain

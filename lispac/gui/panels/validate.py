@@ -1,4 +1,4 @@
-"""Step 4: how far apart the lines are on planes not used in the adjustment, before and after."""
+"""Step 4: distances between the lines on validation planes, before and after."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
+from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.validation.local_models import (
     FEWEST,
@@ -17,18 +18,18 @@ from lispac.validation.local_models import (
 from lispac.validation.results import PlaneComparison
 
 KINDS: tuple[tuple[Kind, str], ...] = (
-    ("plane", "Local plane"), ("quadric", "Local quadric"), ("point", "Nearest point"),
+    ("plane", N_("Local plane")), ("quadric", N_("Local quadric")), ("point", N_("Nearest point")),
 )  # fmt: skip
 
 
 class ValidatePanel(QWidget):
-    """Runs the comparison and switches the clouds."""
+    """Options of the comparison, and which clouds the view shows."""
 
     validate_asked = Signal()
     shown_changed = Signal(str)
-    """Clouds are wanted with the "prior" or the "estimated" boresight."""
+    """The view is to show the clouds with the "prior" or the "estimated" boresight."""
     model_changed = Signal(object)
-    """The LocalModel that distances are to be measured to."""
+    """Distances are to be measured to this `LocalModel`."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -36,45 +37,52 @@ class ValidatePanel(QWidget):
         layout = widgets.column(self)
         layout.addWidget(
             widgets.label(
-                "The lines are compared with each other, cloud to cloud, on planes not used in "
-                "the adjustment.", "hint", wrap=True,
+                gettext(
+                    "The lines are compared with each other, cloud to cloud, on planes not used in "
+                    "the adjustment."
+                ),
+                "hint", wrap=True,
             )
         )  # fmt: skip
         self.advice = widgets.label("", wrap=True, name="validate_advice")
         layout.addWidget(self.advice)
         self.kind = widgets.Choice(
-            "distance_to", [words for _, words in KINDS],
-            "What stands for the surface between the points of a line. A plane suits walls and "
-            "boards, a quadric what bends; to the nearest point the spacing of the points counts "
-            "as distance",
+            "distance_to", [gettext(title) for _, title in KINDS],
+            gettext(
+                "Model of the surface between the points of a line. Use a plane for walls and "
+                "boards and a quadric for curved surfaces. Distances to the nearest point include "
+                "the point spacing."
+            ),
         )  # fmt: skip
         self.neighbours = widgets.number(
             "distance_neighbours", suffix="", decimals=0, low=3, high=200, step=1,
-            tip="Points the plane or quadric is fitted to: more smooth the noise, fewer follow the "
-            "surface (usually 6, 12 for a quadric)",
+            tip=gettext(
+                "Number of points that the plane or quadric is fitted to (default 6, quadric 12). "
+                "More points reduce the noise, fewer points follow the surface more closely."
+            ),
         )  # fmt: skip
         self.neighbours.setValue(SIX_POINT_PLANE.neighbours)
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow(say("Distance to"), self.kind)
-        form.addRow(say("Through points"), self.neighbours)
+        form.addRow(gettext("Distance to"), self.kind)
+        form.addRow(gettext("Points of the fit"), self.neighbours)
         layout.addLayout(form)
         self.kind.currentIndexChanged.connect(self._kind_chosen)
         self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))
         self.run = widgets.button(
-            "Validate", "validate", icon="check-decagram-outline", primary=True,
-            tip="Compare the lines on every validation plane, before and after (F10)",
+            gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
+            tip=gettext("Compare the lines on all validation planes, before and after (F10)"),
         )  # fmt: skip
         self.run.clicked.connect(self.validate_asked)
         layout.addWidget(self.run)
-        layout.addWidget(widgets.label("Lines in the view", "heading"))
+        layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(
-            "Before", "show_before", tip="Lines placed with the prior boresight"
+            gettext("Before"), "show_before", tip=gettext("Lines with the prior boresight")
         )
         self.after = widgets.button(
-            "After", "show_after", tip="Lines placed with the estimated boresight"
+            gettext("After"), "show_after", tip=gettext("Lines with the estimated boresight")
         )
         group = QButtonGroup(self)
         row = QHBoxLayout()
@@ -90,7 +98,7 @@ class ValidatePanel(QWidget):
 
     @property
     def model(self) -> LocalModel:
-        """What is chosen."""
+        """The chosen model of the surface."""
         return LocalModel(KINDS[self.kind.currentIndex()][0], int(self.neighbours.value()))
 
     def _kind_chosen(self) -> None:
@@ -106,7 +114,7 @@ class ValidatePanel(QWidget):
         self.neighbours.blockSignals(False)
 
     def _follow(self, project: Project) -> None:
-        """Show what the figures of a project were measured to, once for each validation."""
+        """Show the model of the last validation, once for each validation."""
         if project.validation is self._shown:
             return
         self._shown = project.validation
@@ -116,11 +124,11 @@ class ValidatePanel(QWidget):
             self.kind.setCurrentIndex([kind for kind, _ in KINDS].index(model.kind))
             self.kind.blockSignals(False)
             self._fill_neighbours(model.kind, model.neighbours)
-            # One within a radius, chosen at the command line, is kept until something else is.
+            # A radius given on the command line has no field; it stays until another choice.
             self.model_changed.emit(model)
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
-        """What can be done now."""
+        """Enable what can be done now."""
         if project is not None:
             self._follow(project)
         self.advice.setText(say(status.advice))
@@ -128,5 +136,5 @@ class ValidatePanel(QWidget):
         self.after.setEnabled(project is not None and project.result is not None)
 
     def show_which(self, which: str) -> None:
-        """Which clouds the view shows."""
+        """Show which clouds the view shows."""
         (self.after if which == "estimated" else self.before).setChecked(True)

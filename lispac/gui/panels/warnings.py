@@ -1,4 +1,4 @@
-"""All there is to be warned of, in one list: a click, or Enter, goes to the cause."""
+"""List of all warnings; a click or Enter goes to the cause."""
 
 import time
 from collections.abc import Sequence
@@ -18,12 +18,12 @@ from PySide6.QtWidgets import (
 
 from lispac.causes import RESULT
 from lispac.gui import theme
-from lispac.gui.language import say, say_message
+from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, Plural, gettext
 from lispac.messages import Level, Message
 
-TITLE = "Warnings"
+TITLE = N_("Warnings")
 ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
 LOOKS: dict[Level, tuple[str, str, str]] = {
@@ -31,15 +31,15 @@ LOOKS: dict[Level, tuple[str, str, str]] = {
     Level.WARNING: ("alert", "warning", N_("Warning")),
     Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
-"""Icon, colour and word; the shapes differ too, for colours alone do not tell everybody."""
+"""Icon, colour and name. The shapes differ, since not everybody can tell the colours apart."""
 
 TURN_S = 0.015
-"""Sentences take a millisecond each to be said in another language."""
+"""Seconds in which texts are added before the window reacts again: each takes a millisecond."""
 
-NO_PROJECT = "Open or make a project: its warnings appear here."
-NOTHING = "Nothing to warn of. What the files, picks and figures give cause for appears here."
-GO = "Click one, or press Enter on it, to go to its cause."
-WAITING = "Estimating again; these are the warnings from before the change."
+NO_PROJECT = N_("Open or create a project to see its warnings.")
+NOTHING = N_("No warnings about the files, the targets or the result.")
+GO = N_("Click one, or press Enter on it, to go to its cause.")
+WAITING = N_("A new estimate is running. These warnings are from before the change.")
 
 
 COUNTS = {
@@ -50,7 +50,7 @@ COUNTS = {
 
 
 def count_words(messages: Sequence[Message]) -> str:
-    """``2 warnings, 3 notes``, of what there is, in the user's language."""
+    """Number of messages of each level: ``2 warnings, 3 notes``."""
     counts = {level: sum(each.level is level for each in messages) for level in Level}
     return ", ".join(
         gettext(COUNTS[level], count=count) for level, count in counts.items() if count
@@ -58,7 +58,7 @@ def count_words(messages: Sequence[Message]) -> str:
 
 
 class WarningsPanel(QWidget):
-    """The list, or why there is none."""
+    """The list of warnings, or why there is none."""
 
     followed = Signal(object)
     """The `Cause` that the user wants to see."""
@@ -80,7 +80,7 @@ class WarningsPanel(QWidget):
         column.addWidget(self.head)
         column.addWidget(self.list, 1)
         self._kept: Message | None = None
-        self._said: dict[Message, str] = {}
+        self._texts: dict[Message, str] = {}
         self._turn = QTimer(self)
         self._turn.setSingleShot(True)
         self._turn.timeout.connect(self._fill)
@@ -93,60 +93,59 @@ class WarningsPanel(QWidget):
         self.show_nothing()
 
     def show_nothing(self) -> None:
-        """No project is open."""
+        """Show that no project is open."""
         self.messages = ()
         self.list.clear()
-        self._say(NO_PROJECT)
+        self._show_empty(NO_PROJECT)
 
     def show_waiting(self) -> None:
-        """The list is no longer that of the project: a result is on its way."""
-        self.head.setText(say(WAITING))
+        """Show that the list is out of date and a new result is being computed."""
+        self.head.setText(gettext(WAITING))
 
     def show_warnings(self, messages: Sequence[Message]) -> None:
-        """Show the list; what was current stays so where it still is there."""
+        """Show the list; the current message stays current if it is still there."""
         current = self.list.currentRow()
         kept = self.messages[current] if 0 <= current < len(self.messages) else None
         self.messages = tuple(messages)
         self.list.clear()
         self._kept = kept
         if not messages:
-            self._say(NOTHING)
+            self._show_empty(NOTHING)
             return
         self._fill()
-        counts = count_words(messages)
-        self.head.setText(f"{counts[:1].upper()}{counts[1:]}. {say(GO)}")
+        self.head.setText(f"{count_words(messages)}. {gettext(GO)}")
         self._pages.setCurrentIndex(1)
 
     @property
     def is_filled(self) -> bool:
-        """Whether every sentence stands in the list."""
+        """Whether all messages are in the list."""
         return self.list.count() == len(self.messages)
 
     def _fill(self) -> None:
-        """Say as many sentences as one does not notice, and the others in the next turn."""
+        """Add messages for a moment, and the others in the next turn of the event loop."""
         until = time.monotonic() + TURN_S
-        said = self._said
+        texts = self._texts
         while not self.is_filled and time.monotonic() < until:
             message = self.messages[self.list.count()]
-            if message not in said:
-                said[message] = say_message(message)
-            self.list.addItem(_item(message, said[message]))
+            if message not in texts:
+                texts[message] = say_message(message)
+            self.list.addItem(_item(message, texts[message]))
             if message == self._kept:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
             self._turn.start()
-        elif len(said) > len(self.messages):
-            self._said = {each: said[each] for each in self.messages}
+        elif len(texts) > len(self.messages):
+            self._texts = {each: texts[each] for each in self.messages}
 
     def take_focus(self) -> None:
-        """Let the keyboard go through the list."""
+        """Give the list the focus of the keyboard."""
         if self.list.count():
             if self.list.currentRow() < 0:
                 self.list.setCurrentRow(0)
             self.list.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
-    def _say(self, words: str) -> None:
-        self.empty.setText(say(words))
+    def _show_empty(self, text: str) -> None:
+        self.empty.setText(gettext(text))
         self._pages.setCurrentIndex(0)
 
     def _follow(self, row: int) -> None:
@@ -155,14 +154,14 @@ class WarningsPanel(QWidget):
 
 
 class _List(QListWidget):
-    """Sentences as tall as they need to be; Enter and Space act like a click."""
+    """List with wrapped texts; Enter and Space act like a click."""
 
     entered_ = Signal(int)
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("warnings_list")
-        self.setAccessibleName(say(TITLE))
+        self.setAccessibleName(gettext(TITLE))
         self.setWordWrap(True)
         self.setTextElideMode(Qt.TextElideMode.ElideNone)
         self.setResizeMode(QListWidget.ResizeMode.Adjust)
@@ -174,7 +173,7 @@ class _List(QListWidget):
         self.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 4px; }")
 
     def event(self, event: QEvent) -> bool:
-        # Enter keeps a candidate elsewhere in the window.
+        # Elsewhere in the window Enter accepts the candidate.
         pressed = event.type() == QEvent.Type.ShortcutOverride
         if pressed and isinstance(event, QKeyEvent) and event.key() in ENTERS:
             event.accept()
@@ -189,18 +188,19 @@ class _List(QListWidget):
 
 
 def _item(message: Message, text: str) -> QListWidgetItem:
-    icon, colour, word = LOOKS[message.level]
-    said = gettext(word)
+    icon, colour, level = LOOKS[message.level]
     made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
-    made.setToolTip(
-        widgets.plain_tip(f"{said}\n{say('Click, or press Enter, to go to the cause')}")
+    action = gettext("Click, or press Enter, to go to the cause")
+    made.setToolTip(widgets.plain_tip(f"{gettext(level)}\n{action}"))
+    made.setData(
+        Qt.ItemDataRole.AccessibleTextRole,
+        gettext("{level}: {message}", level=gettext(level), message=text),
     )
-    made.setData(Qt.ItemDataRole.AccessibleTextRole, f"{said}: {text}")
     return made
 
 
 class WarningsButton(QPushButton):
-    """How many warnings there are, in the status bar; opens the list."""
+    """Number of warnings in the status bar; a click opens the list."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -216,12 +216,12 @@ class WarningsButton(QPushButton):
         )
         icon, colour = LOOKS[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
-        words = (
+        text = (
             count_words([each for each in messages or () if each.level is worst])
             if worst
-            else say("No warnings")
+            else gettext("No warnings")
         )
-        self.setText(words)
+        self.setText(text)
         counts = f"{count_words(messages)}. " if messages else ""
-        self.setToolTip(f"{counts}{say('Click to see them all (F12)')}")
-        self.setAccessibleName(words)
+        self.setToolTip(counts + gettext("Click to see them all (F12)"))
+        self.setAccessibleName(text)

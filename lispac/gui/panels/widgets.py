@@ -24,10 +24,11 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
+from lispac.gui.language import local_number, say, say_all
 from lispac.gui.panels.number_field import BASES, NumberField
 from lispac.gui.tabbing import ENTERS
 from lispac.gui.units import Base
+from lispac.language import N_, gettext, is_translated
 
 
 def label(
@@ -38,7 +39,7 @@ def label(
     Parameters
     ----------
     rich : bool
-        Whether its texts are HTML; foreign parts of these have to be escaped.
+        Whether its texts are HTML; names in them have to be escaped.
     """
     made = QLabel(say(text))
     made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
@@ -170,7 +171,13 @@ def convert_tip(made: QWidget, *bases: Base) -> None:
 
 def _with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
     first, last = (f"{v:,.10g}" if base is None else units.limit(v, base) for v in (low, high))
-    return f"{tip}, {first} to {last} {'deg' if unit == '°' else unit}".rstrip()
+    sign = "deg" if unit == "°" else unit
+    if not is_translated(tip):
+        return f"{tip}, {first} to {last} {sign}".rstrip()
+    first, last = local_number(first), local_number(last)
+    if not unit:
+        return gettext("{tip}, {low} to {high}", tip=tip, low=first, high=last)
+    return gettext("{tip}, {low} to {high} {unit}", tip=tip, low=first, high=last, unit=sign)
 
 
 class Choice(QComboBox):
@@ -228,17 +235,17 @@ class TallArea(QScrollArea):
 
 
 class Triple(QWidget):
-    """Three numbers side by side with a word over each."""
+    """Three numbers side by side with a title above each."""
 
-    def __init__(self, words: Sequence[str], fields: Sequence[QDoubleSpinBox]) -> None:
+    def __init__(self, titles: Sequence[str], fields: Sequence[QDoubleSpinBox]) -> None:
         super().__init__()
         self.fields = tuple(fields)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(2)
-        for column, (word, field) in enumerate(zip(words, fields, strict=True)):
-            above = label(word, "muted")
+        for column, (title, field) in enumerate(zip(titles, fields, strict=True)):
+            above = label(title, "muted")
             above.setBuddy(field)
             grid.addWidget(above, 0, column)
             field.setMinimumWidth(86)
@@ -258,31 +265,45 @@ class Triple(QWidget):
             field.blockSignals(False)
 
 
+_LEVER_ARM = (
+    (N_("X forward"),
+     N_("Lever arm X from the POS centre to the LiDAR optical centre, metres, positive forward")),
+    (N_("Y left"),
+     N_("Lever arm Y from the POS centre to the LiDAR optical centre, metres, positive left")),
+    (N_("Z up"),
+     N_("Lever arm Z from the POS centre to the LiDAR optical centre, metres, positive up")),
+)  # fmt: skip
+_BORESIGHT = (
+    (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive left side up")),
+    (N_("Pitch"), N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
+    (N_("Yaw"),
+     N_("Prior yaw of the LiDAR in the body frame, degrees, positive clockwise from above")),
+)  # fmt: skip
+"""Title and tip of each field."""
+
+
 def lever_arm_fields(prefix: str) -> Triple:
-    """Lever arm in metres."""
-    directions = ("forward", "left", "up")
+    """Fields of the lever arm, metres."""
     fields = [
         number(
             f"{prefix}_{axis}", suffix=" m", decimals=4, low=-100, high=100, step=0.01,
-            tip=f"Lever arm {axis.upper()}: LiDAR optical centre from the POS centre, "
-            f"metres, positive {direction}",
+            tip=gettext(tip),
         )
-        for axis, direction in zip("xyz", directions, strict=True)
+        for axis, (_, tip) in zip("xyz", _LEVER_ARM, strict=True)
     ]  # fmt: skip
-    return Triple(("X forward", "Y left", "Z up"), fields)
+    return Triple([gettext(title) for title, _ in _LEVER_ARM], fields)
 
 
 def boresight_fields(prefix: str) -> Triple:
-    """Prior boresight in degrees."""
-    meanings = ("left side up", "bow down", "clockwise from above")
+    """Fields of the prior boresight, degrees."""
     fields = [
         number(
             f"{prefix}_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=0.1,
-            tip=f"Prior {angle} of the LiDAR in the body frame, degrees, positive {meaning}",
+            tip=gettext(tip),
         )
-        for angle, meaning in zip(("roll", "pitch", "yaw"), meanings, strict=True)
+        for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT, strict=True)
     ]  # fmt: skip
-    return Triple(("Roll", "Pitch", "Yaw"), fields)
+    return Triple([gettext(title) for title, _ in _BORESIGHT], fields)
 
 
 def column(parent: QWidget, margin: int = 12) -> QVBoxLayout:

@@ -1,16 +1,16 @@
-"""A plot under the mouse: the wheel zooms, a drag moves, a double click shows all of it again."""
+"""Zoom and pan of a plot: wheel zooms, drag moves, double-click shows all."""
 
 from matplotlib.axes import Axes
 from matplotlib.backend_bases import FigureCanvasBase, MouseEvent
 
 STEP = 0.8
-"""Width left after one notch of the wheel."""
+"""Factor on the width for one notch of the wheel."""
 
 Limits = tuple[tuple[float, float], tuple[float, float]]
 
 
 class Zooming:
-    """Joined to a canvas."""
+    """Zoom and pan of the axes of a canvas."""
 
     def __init__(self, canvas: FigureCanvasBase) -> None:
         self._canvas = canvas
@@ -23,12 +23,12 @@ class Zooming:
         canvas.mpl_connect("button_release_event", self._release)
 
     def keep(self, *, upright: bool = True) -> None:
-        """Take the present limits for all of it.
+        """Keep the present limits as those that show all.
 
         Parameters
         ----------
         upright : bool
-            Zoom and move up and down too. Bars stand on their axis, and only go sideways.
+            Whether the vertical axis is changed too; it is not in bar charts.
         """
         self._moved, self._upright = None, upright
         self._whole = [(a.get_xlim(), a.get_ylim()) for a in self._canvas.figure.axes]
