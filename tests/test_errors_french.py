@@ -76,8 +76,6 @@ NOT_SAID: dict[str, set[str]] = {
         "Simulated survey; each simulation replaces it.\n",
     },
     "the tables beside the figures of a study of visibility, and the command line's of them": {
-        "Visibility on the 7 site",
-        "Best configurations on the 7 site",
         "The choice of table 3.2 lies near the board that faces the beams (-20 deg here), where a "
         "roll error moves points along it. Appendix C.2.1 names -40 and then 30 deg for the same "
         "figure; 30 is the upper end of what it keeps, and so is the best here",

@@ -28,7 +28,7 @@ from lispac.report.html import html_text
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
 from lispac.report.tables import write_tables
-from lispac.report.translated import translator
+from lispac.report.translated import translator, with_minus
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.hidden import Shown
 from lispac.targets.quality import SightingQuality
@@ -283,8 +283,14 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
             texts.append(block.text)
     left = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
     assert [text for text in left if re.search(r"\d\.\d", text)] == []
-    assert [text for text in shown if re.search(r"-\d", text)] == []
+    warnings = (*document.serious, *document.cautions)
+    assert [text for text in (*shown, *warnings) if re.search(r"(?<!\w)-\d", text)] == []
     assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10
+
+
+def test_minus_signs_of_messages_are_true_ones_and_names_stay() -> None:
+    text = with_minus("After, L1 -3 (-50.0 mm ± 7.7 mm) is off by -2 mm: 2025-06-04.", ["L1 -3"])
+    assert text == "After, L1 -3 (\u221250.0 mm ± 7.7 mm) is off by \u22122 mm: 2025-06-04."
 
 
 def test_names_that_are_words_stay(tmp_path: Path) -> None:

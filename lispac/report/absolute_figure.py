@@ -37,8 +37,7 @@ def absolute_figure(found: Absolute, _say: Say = unchanged, figure: Figure | Non
         axes.stairs(values, edges, color=colour, linewidth=1.0)
     axes.set_xlim(edges[0], edges[-1])
     across = gettext(
-        "Distance from the reference (mm), positive towards the vessel; the end bins hold all "
-        "larger ones"
+        "Distance from the reference (mm), positive towards the vessel; end bins: all larger ones"
     )
     dress(axes, across, gettext("Places"))
     axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))

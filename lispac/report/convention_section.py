@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, gettext
+from lispac.language import N_, gettext, raw_text
 from lispac.report.blocks import Block, Column, Paragraph, Table, facts, rows
 from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.values import ReportContent
@@ -47,7 +47,7 @@ def _convention(found: InConvention) -> list[Block]:
         (gettext("Scanner axes"), found.scanner_in_words),
         (gettext("Lever arm"), lever_arm),
     ]
-    blocks.append(facts(gettext("Convention of {program}", program=gettext(found.name)), values))
+    blocks.append(facts(gettext("Convention of {program}", program=_program(found.name)), values))
     sentences = (found.check_first, found.note, found.offsets_in_words, found.caution)
     blocks += [Paragraph(sentence.strip()) for sentence in sentences if sentence]
     return blocks
@@ -59,7 +59,7 @@ def _angles(found: InConvention) -> Table:
     return Table(
         gettext(
             "Boresight for {program}: convention {status}",
-            program=gettext(found.name), status=found.status_in_words,
+            program=_program(found.name), status=found.status_in_words,
         ),
         (
             Column(gettext("Angle"), "left"),
@@ -79,6 +79,11 @@ def _angles(found: InConvention) -> Table:
     )  # fmt: skip
 
 
+def _program(name: str) -> str:
+    """Name of a program: some of them have words to translate."""
+    return name if raw_text(name, {}) == name else gettext(name)
+
+
 def _rotation(found: InConvention) -> str:
     if not found.angles:
         return gettext("imported as a matrix only")
@@ -89,7 +94,7 @@ def _matrix(found: ScannerToBody) -> list[Block]:
     axes = found.body_axes
     return [
         Table(
-            gettext("Matrix from scanner to body for {program}", program=gettext(found.name)),
+            gettext("Matrix from scanner to body for {program}", program=_program(found.name)),
             (
                 Column(gettext("Scanner X")),
                 Column(gettext("Scanner Y")),

@@ -1,6 +1,7 @@
 """Texts of a report's content that other parts of the program make in English, translated."""
 
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import TypeVar
 
@@ -15,6 +16,8 @@ from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.reverse_translation.messages import translated_text
 from lispac.reverse_translation.translation import Translator
 
+HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
+"""A hyphen before a number."""
 FACTORS = " · "
 """Between the rotations of a formula."""
 
@@ -44,11 +47,23 @@ def names_of(content: ReportContent) -> Iterator[str]:
 
 def warnings_and_notes(content: ReportContent, say: Say) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Texts of the warnings, and of the notes."""
+    names = tuple(name for name in names_of(content) if HYPHEN.search(name))
     serious, notes = (
-        tuple(translated_text(each, say) for each in content.cautions if each.is_serious == wanted)
+        tuple(
+            with_minus(translated_text(each, say), names)
+            for each in content.cautions
+            if each.is_serious == wanted
+        )
         for wanted in (True, False)
     )
     return serious, notes
+
+
+def with_minus(text: str, names: Iterable[str] = ()) -> str:
+    """The text of a message with true minus signs, as the tables have them; names stay."""
+    whole = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
+    pattern = re.compile(f"{whole}|{HYPHEN.pattern}" if whole else HYPHEN.pattern)
+    return pattern.sub(lambda found: MINUS if found.group() == "-" else found.group(), text)
 
 
 def translated(content: ReportContent, say: Say) -> ReportContent:

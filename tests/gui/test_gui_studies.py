@@ -228,7 +228,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
         heads, *rows = QGuiApplication.clipboard().text().splitlines()
         assert heads.split("\t")[3] == "45 deg"
         (row,) = (row.split("\t") for row in rows if row.startswith("-40\t"))
-        assert f"45: {float(row[3]):.4f}" in said
+        assert f"45 deg: {float(row[3]):.4f}".replace("-", "\u2212") in said
         driver.bot.mouseClick(dialog.copy_picture, Left)
         assert QGuiApplication.clipboard().pixmap().width() >= 560
         dialog.site.setCurrentText("Marine")
