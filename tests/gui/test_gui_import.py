@@ -233,5 +233,5 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     qtbot.keyClicks(field, "32618")
     qtbot.keyClick(field, Key.Key_Return)
     rest(qtbot, dialog)
-    assert system.text() == "This is WGS 84 / UTM zone 18N (EPSG:32618)."
+    assert system.text() == "Coordinate system: WGS 84 / UTM zone 18N (EPSG:32618)."
     assert dict(dialog.intake.lines[0].reading.options)["crs"] == "32618"

@@ -148,7 +148,8 @@ class FilePage(QWidget):
         self.assumptions.setVisible(bool(assumed))
 
     def _add_fact(self, name: str, text: str) -> None:
-        head = widgets.label(name, "muted")
+        head = widgets.label(role="muted")
+        head.setText(name)
         head.setAlignment(Qt.AlignmentFlag.AlignTop)
         value = widgets.label(wrap=True)
         value.setText(text)
