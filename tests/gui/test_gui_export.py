@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.export import REST_MS, CONTENTS, ExportDialog
+from lispac.gui.dialogs.export import CONTENTS, REST_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.export_request import ENDINGS, ExportRequest
 from lispac.workflow.target_systems import utm_zone

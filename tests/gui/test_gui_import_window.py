@@ -61,7 +61,8 @@ def test_quality_figures_are_drawn_when_looked_at(filled: ImportDialog, qtbot: Q
     figure = filled.quality.canvas.figure
     assert [axes.get_ylabel() for axes in figure.axes] == ["Position\nσ (m)", "Attitude\nσ (°)"]
     assert figure.axes[-1].get_xlabel() == "GPS seconds of the week"
-    for k, labels in ((1, ["North (m)"]), (2, ["Speed\n(m/s)", "Roll, pitch\n(°)", "Heading\n(°)"])):
+    motion = ["Speed\n(m/s)", "Roll, pitch\n(°)", "Heading\n(°)"]
+    for k, labels in ((1, ["North (m)"]), (2, motion)):
         qtbot.mouseClick(filled.quality.choice.button(k), Left)
         assert [axes.get_ylabel() for axes in figure.axes] == labels
     points = sum(len(line.get_xdata()) for axes in figure.axes for line in axes.get_lines())

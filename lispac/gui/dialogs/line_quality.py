@@ -22,9 +22,11 @@ STATISTICS = (
 )
 """Titles and tips of the columns of differences, in millimetres."""
 FACING: dict[Facing, str] = {
-    "all": N_("all surfaces"), "level": N_("horizontal surfaces"), "upright": N_("vertical surfaces"),
+    "all": N_("all surfaces"),
+    "level": N_("horizontal surfaces"),
+    "upright": N_("vertical surfaces"),
     "sloped": N_("inclined surfaces"),
-}  # fmt: skip
+}
 INTRODUCTIONS: dict[Which, str] = {
     "prior": N_(
         "Differences between each two lines on flat surfaces, along the normal, with the prior "
