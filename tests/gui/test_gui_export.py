@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.export import REST_MS, THINGS, ExportDialog
+from lispac.gui.dialogs.export import CONTENTS, REST_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.export_request import ENDINGS, ExportRequest
 from lispac.workflow.target_systems import utm_zone
@@ -47,7 +47,7 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     dialog.system.setCurrentIndex(0)
     assert "not shifted to another datum" in dialog.said.text()
     assert "at the epoch of the trajectory" in dialog.said.text()
-    dialog.what.setCurrentIndex(list(THINGS).index("trajectory"))
+    dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
     assert dialog.said.isVisible()
     assert "in the datum and at the epoch it was computed in" in dialog.said.text()
 
@@ -88,8 +88,8 @@ def test_a_system_of_another_part_of_the_world_is_doubted(
 
 
 def test_each_thing_has_its_own_fields(dialog: ExportDialog, qtbot: QtBot) -> None:
-    for what in THINGS:
-        dialog.what.setCurrentIndex(list(THINGS).index(what))
+    for what in CONTENTS:
+        dialog.what.setCurrentIndex(list(CONTENTS).index(what))
         assert dialog.system.isVisible() == (what in ("lines", "targets"))
         assert dialog.boresight.isVisible() == (what != "trajectory")
         assert dialog.form.count() == len(ENDINGS[what])

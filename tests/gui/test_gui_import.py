@@ -31,7 +31,7 @@ def test_dropped_files_become_a_project(
     filled: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     assert texts(filled, ROLE) == ["Trajectory", "Accuracy", *["Line"] * 6]
-    assert set(texts(filled, STATE)) <= {"OK", "1 doubt", "2 doubts"}
+    assert set(texts(filled, STATE)) <= {"OK", "1 warning", "2 warnings"}
     assert filled.ok.isEnabled(), filled.reason.text()
     assert "lever arm is zero" in filled.reason.text()
     assert not filled.mounting.position_sigma.isEnabled()
@@ -68,8 +68,8 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     shifted(demo.project.lines[0].path, tmp_path / "field" / "L1.laz", 0.0)
     drop(dialog, [tmp_path / "field"])
     rest(qtbot, dialog)
-    assert texts(dialog, ROLE) == ["Line", "Leave out", "Leave out"]
-    assert texts(dialog, STATE)[1:] == ["Not known", "Not known"]
+    assert texts(dialog, ROLE) == ["Line", "Not imported", "Not imported"]
+    assert texts(dialog, STATE)[1:] == ["Unknown", "Unknown"]
     dialog.table.selectRow(1)
     shown = [label.text() for label in dialog.file_page.remarks.findChildren(QWidget)
              if hasattr(label, "text")]  # fmt: skip
@@ -85,11 +85,11 @@ def test_looking_can_be_stopped_and_taken_up_again(
     assert dialog.stop.isVisible()
     qtbot.mouseClick(dialog.stop, Left)
     rest(qtbot, dialog)
-    assert "Not known" in texts(dialog, STATE)
+    assert "Unknown" in texts(dialog, STATE)
     assert not dialog.ok.isEnabled()
     qtbot.mouseClick(dialog.again, Left)
     rest(qtbot, dialog)
-    assert "Not known" not in texts(dialog, STATE)
+    assert "Unknown" not in texts(dialog, STATE)
     assert dialog.ok.isEnabled(), dialog.reason.text()
 
 
@@ -97,9 +97,9 @@ def test_roles_are_chosen_and_files_removed_by_keys(filled: ImportDialog, qtbot:
     combo = filled.table.cellWidget(7, ROLE)
     assert isinstance(combo, QComboBox)
     combo.setFocus()
-    qtbot.keyClicks(combo, "Le")
+    qtbot.keyClicks(combo, "No")
     rest(qtbot, filled)
-    assert texts(filled, ROLE)[7] == "Leave out"
+    assert texts(filled, ROLE)[7] == "Not imported"
     assert len(filled.intake.lines) == 5
     filled.table.setFocus()
     filled.table.selectRow(7)
@@ -118,7 +118,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     drop(dialog, [demo.project.trajectory, lines[0], *late])
     rest(qtbot, dialog)
     dialog.tabs.setCurrentIndex(TIMELINE)
-    assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 to look at)"
+    assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 lines to check)"
     bars = bars_of(dialog.intake)
     assert [bar.sound for bar in bars] == [True, True, False, False]
     assert bars[2].words == "100.0 % outside"
@@ -233,5 +233,5 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     qtbot.keyClicks(field, "32618")
     qtbot.keyClick(field, Key.Key_Return)
     rest(qtbot, dialog)
-    assert system.text() == "This is WGS 84 / UTM zone 18N (EPSG:32618)."
+    assert system.text() == "Coordinate system: WGS 84 / UTM zone 18N (EPSG:32618)."
     assert dict(dialog.intake.lines[0].reading.options)["crs"] == "32618"

@@ -26,7 +26,7 @@ Tab = Qt.Key.Key_Tab
 def test_escape_leaves_no_files_unasked(filled: ImportDialog, qtbot: QtBot) -> None:
     rows = filled.table.rowCount()
     assert rows > 1
-    for name in (None, "Stay here", "Leave"):
+    for name in (None, "Continue importing", "Close without importing"):
         asked: list[str] = []
 
         def answer(name: str | None = name, asked: list[str] = asked) -> None:
@@ -40,8 +40,8 @@ def test_escape_leaves_no_files_unasked(filled: ImportDialog, qtbot: QtBot) -> N
 
         QTimer.singleShot(100, answer)
         QTest.keyClick(filled, Qt.Key.Key_Escape)
-        assert asked == ["Leave without these files?"]
-        assert filled.isVisible() == (name != "Leave")
+        assert asked == ["Close without importing the files?"]
+        assert filled.isVisible() == (name != "Close without importing")
         assert filled.table.rowCount() == rows
     assert filled.result() == QDialog.DialogCode.Rejected
 
@@ -59,9 +59,10 @@ def test_quality_figures_are_drawn_when_looked_at(filled: ImportDialog, qtbot: Q
     filled.tabs.setCurrentIndex(QUALITY)
     qtbot.waitUntil(lambda: filled.quality.canvas is not None, timeout=WAIT_MS)
     figure = filled.quality.canvas.figure
-    assert [axes.get_ylabel() for axes in figure.axes] == ["Position\nσ, m", "Attitude\nσ, °"]
+    assert [axes.get_ylabel() for axes in figure.axes] == ["Position\nσ (m)", "Attitude\nσ (°)"]
     assert figure.axes[-1].get_xlabel() == "GPS seconds of the week"
-    for k, labels in ((1, ["North, m"]), (2, ["Speed\nm/s", "Roll, pitch\n°", "Heading\n°"])):
+    motion = ["Speed\n(m/s)", "Roll, pitch\n(°)", "Heading\n(°)"]
+    for k, labels in ((1, ["North (m)"]), (2, motion)):
         qtbot.mouseClick(filled.quality.choice.button(k), Left)
         assert [axes.get_ylabel() for axes in figure.axes] == labels
     points = sum(len(line.get_xdata()) for axes in figure.axes for line in axes.get_lines())

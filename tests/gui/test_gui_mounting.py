@@ -218,7 +218,7 @@ def test_the_import_dialogue_cautions_wherever_one_looks(filled: ImportDialog, q
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)
-    for typed_in, doubts, said in (("-2.419", 1, ""), ("-42.419", 2, ", and 1 more")):
+    for typed_in, doubts, said in (("-2.419", 1, ""), ("-42.419", 2, ", and 1 more warning")):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)

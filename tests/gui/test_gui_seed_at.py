@@ -60,12 +60,12 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
 
     def answer(dialog: SeedDialog) -> None:
         assert not find(dialog).isEnabled()
-        assert said(dialog) == "Still to be given: north, west, up."
+        assert said(dialog) == "Enter North, West and Up."
         assert dialog.focusWidget() is dialog.fields[0]
         for value in T1:
             opened.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
             opened.bot.keyClick(dialog.focusWidget(), Key.Key_Tab)
-        assert "m from the trajectory." in said(dialog)
+        assert "Distance from the trajectory: " in said(dialog)
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
@@ -99,10 +99,10 @@ def test_mistakes_are_told_while_typing(picked: Driver) -> None:
         assert dialog.name.text() == "T3"
         assert "“abc” is not a number" in typed("seed_coordinate_0", "abc")
         assert dialog.fields[0].property("wrong")
-        assert "Still to be given: west, up." in typed("seed_coordinate_0", "1,15")
+        assert "Enter West and Up." in typed("seed_coordinate_0", "1,15")
         assert not dialog.fields[0].property("wrong")
         typed("seed_coordinate_1", "-14.7")
-        assert "from the trajectory." in typed("seed_coordinate_2", "8.1")
+        assert "Distance from the trajectory: " in typed("seed_coordinate_2", "8.1")
         assert find(dialog).isEnabled()
         assert "The name T1 is already used" in typed("seed_name", "T1")
         assert not find(dialog).isEnabled()
@@ -142,7 +142,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         )
         box.lineEdit().selectAll()
         opened.bot.keyClicks(box.lineEdit(), "EPSG:32619")
-        opened.bot.waitUntil(lambda: "Still" in said(dialog), timeout=WAIT_MS)
+        opened.bot.waitUntil(lambda: "Enter" in said(dialog), timeout=WAIT_MS)
         QApplication.clipboard().setText(f"{north:.4f}; {east:.4f}; {height:.4f}")
         first = dialog.fields[0]
         opened.bot.mouseClick(first, Qt.MouseButton.LeftButton)
@@ -151,7 +151,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         first.selectAll()
         QApplication.clipboard().setText(f"{east:.4f}\t{north:.4f}\t−0{-height:.4f}")
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-        assert "In the local frame" in said(dialog)
+        assert "Local frame: " in said(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
     hand(opened, answer)

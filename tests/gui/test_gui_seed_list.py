@@ -80,7 +80,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
-    assert told == "3 of 4 seeds led to a target. One undo step takes all of them back."
+    assert told == "Targets found: 3, from 4 seeds. One undo step removes them all."
     assert [target.name for target in opened.project.targets] == names[:3]
     assert opened.window.document.undo_stack.undoText() == "seeds of quay.csv"
     opened.window.document.undo_stack.undo()
@@ -183,5 +183,5 @@ def test_nothing_found_changes_nothing(opened: Driver, tmp_path: Path) -> None:
     both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
     opened.window.life.list_dropped.emit(path)
     opened.rest()
-    assert told == ["0 of 1 seeds led to a target."]
+    assert told == ["No target was found at the seed."]
     assert opened.project is before

@@ -267,7 +267,7 @@ def test_chosen_sensors_fill_fields_that_can_be_changed(
     page = filled.mounting
     assert filled.request().settings.lidar_beam_sigma is None
     page.sensors.choose("riegl-vux-1", "hydrins:rtk")
-    assert "from memory" in page.sensors.scanner_origin.text()
+    assert "not verified" in page.sensors.scanner_origin.text()
     assert page.sensors.pos_origin.text().startswith("Thesis")
     page.angle_sigma.setValue(0.004)
     filled.folder.setText(str(tmp_path / "made"))
@@ -315,7 +315,7 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     assert page.cache.size.text() == "2.5 MB"
     assert page.cache.said.text() == ""
 
-    for button, left in (("Cancel", True), ("Empty", False)):
+    for button, left in (("Cancel", True), ("Empty cache", False)):
         QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
         qtbot.mouseClick(page.cache.empty, Left)
         assert (place / "numba").exists() is left

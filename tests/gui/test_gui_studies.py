@@ -267,7 +267,7 @@ def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
         ]
         pairs = {tuple(row[:2]) for row in rows}
         assert len(pairs) == 15 + 1, "six lines, and all together"
-        (together,) = (row for row in rows if row[0] == "all" == row[2])
+        (together,) = (row for row in rows if (row[0], row[2]) == ("all lines", "all surfaces"))
         assert float(together[5]) < 40, "what the simulated trajectory leaves, mm"
         assert dialog.figure().axes[0].collections[0].get_offsets().shape[0] == int(
             together[3].replace(",", "")

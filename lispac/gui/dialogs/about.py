@@ -1,4 +1,4 @@
-"""What the program is, and how its numbers are meant."""
+"""Dialogues about the program and about its mouse and keyboard commands."""
 
 import platform
 
@@ -11,34 +11,35 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.results import CONVENTION
 from lispac.gui.viewing_actions import KEYS
+from lispac.language import gettext
 
 
 def about_box(parent: QWidget | None) -> QMessageBox:
-    """The dialogue, not yet shown."""
+    """Message box with version, conventions and licence, not yet shown."""
     box = QMessageBox(parent)
     box.setObjectName("about_dialog")
-    box.setWindowTitle(say("About LISPAC"))
+    box.setWindowTitle(gettext("About LISPAC"))
     box.setTextFormat(Qt.TextFormat.RichText)
     box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
+    purpose = gettext(
+        "Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with its uncertainties."
+    )
+    frame = gettext("Local coordinates are North, West and Up in metres.")
+    licence = gettext("Licence: BSD 3-clause.")
+    versions = f"Qt {qVersion()}, Python {platform.python_version()}. {licence}"
     box.setInformativeText(
-        say(
-            "<p>Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with honest "
-            f"uncertainties.</p><p>{CONVENTION}</p><p>Local coordinates are North, West, "
-            "Up in metres."
-            f"</p><p style='color:{theme.MUTED}'>Qt {qVersion()}, "
-            f"Python {platform.python_version()}. "
-            "BSD 3-clause licence.</p>"
-        )
+        f"<p>{purpose}</p><p>{say(CONVENTION)}</p><p>{frame}</p>"
+        f"<p style='color:{theme.MUTED}'>{versions}</p>"
     )
     box.setStandardButtons(QMessageBox.StandardButton.Close)
     return box
 
 
 def shortcuts_box(parent: QWidget | None) -> QDialog:
-    """Mouse and keys in two columns, not yet shown; a message box would cut them off."""
+    """Dialogue with the mouse and keyboard commands in two columns, not yet shown."""
     box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
-    box.setWindowTitle(say("Mouse and keys"))
+    box.setWindowTitle(gettext("Mouse and keyboard"))
     layout = widgets.column(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(32)
@@ -55,14 +56,14 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
 
 
 def keys_said(keys: str) -> str:
-    """Keys in the user's language; a letter is that on its key: W is not west."""
+    """Names of keys in the language of the user; a single letter is the label of a key."""
     return keys if len(keys) == 1 else say(keys)
 
 
 def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
         f"<tr><td style='white-space: nowrap'><b>{keys_said(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
-        f"<td style='white-space: nowrap'>{say(what)}</td></tr>"
-        for keys, what in part[1]
+        f"<td style='white-space: nowrap'>{say(action)}</td></tr>"
+        for keys, action in part[1]
     )
     return f"<h4>{say(part[0])}</h4><table cellspacing='3'>{rows}</table>"

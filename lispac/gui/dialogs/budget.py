@@ -1,46 +1,64 @@
-"""What each source of error does to a point at a distance."""
+"""Dialogue with the error budget: the effect of each error source on a point."""
 
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.language import say
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.language import N_, gettext
 from lispac.report.budget_values import Budget
 
-PARTS = (
-    ("Horiz.", "In the plane of north and west", "horizontal_m"),
-    ("Vert.", "Upwards", "vertical_m"),
-    ("Across", "Across the beam", "across_beam_m"),
+COMPONENTS = (
+    (
+        N_("Horiz. {distance:m.0} m (cm)"),
+        N_("Horizontal error, 1 σ, {distance:m.0} m from the scanner"),
+        "horizontal_m",
+    ),
+    (
+        N_("Vert. {distance:m.0} m (cm)"),
+        N_("Vertical error, 1 σ, {distance:m.0} m from the scanner"),
+        "vertical_m",
+    ),
+    (
+        N_("Across {distance:m.0} m (cm)"),
+        N_("Error across the beam, 1 σ, {distance:m.0} m from the scanner"),
+        "across_beam_m",
+    ),
 )
+"""Titles and tips of the columns, and the values that they show."""
 
 
 class BudgetDialog(StudyDialog):
-    """A row for each source, for one direction of the beam at a time."""
+    """A row for each error source, for one direction of the beam at a time."""
 
     def __init__(self, budget: Budget, parent: QWidget | None = None) -> None:
         columns = (
-            Column("Source", "What makes a point uncertain", words=True),
+            Column(gettext("Source"), gettext("Source of error"), words=True),
             *(
-                Column(f"{name} {far:g} m (cm)", f"{tip}, 1 sigma, {far:g} m from the scanner")
+                Column(gettext(title, distance=far), gettext(tip, distance=far))
                 for far in budget.distances_m
-                for name, tip, _ in PARTS
+                for title, tip, _ in COMPONENTS
             ),
         )
-        table = DiagnosticsTable("budget_table", "Error budget", columns)
+        table = DiagnosticsTable("budget_table", gettext("Error budget"), columns)
         super().__init__(
-            "budget", "Error budget",
-            "What each source of error does to a point, as a standard deviation in centimetres, by "
-            "the derivatives of the adjustment.",
+            "budget", gettext("Error budget"),
+            gettext(
+                "Effect of each error source on a point: standard deviations in centimetres, from "
+                "the derivatives of the adjustment."
+            ),
             table, parent,
         )  # fmt: skip
         self._budget = budget
         self.beam = widgets.Choice(
-            "budget_beam", [f"Beam {each.beam}" for each in budget.beams], "Where the beam points"
+            "budget_beam",
+            [gettext("Beam {direction}", direction=say(each.beam)) for each in budget.beams],
+            gettext("Direction of the beam"),
         )
         self.beam.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.beam)
-        self.said.setText(say("\n".join(budget.in_words)))
+        self.said.setText("\n".join(say_all(budget.in_words)))
         self.resize(1120, 620)
         self._show()
 
@@ -55,9 +73,9 @@ class BudgetDialog(StudyDialog):
                 else [
                     number(getattr(spread, name), ".2f", 100.0)
                     for spread in each.at_distance
-                    for _, _, name in PARTS
+                    for _, _, name in COMPONENTS
                 ]
             )
-            tip = "How well it is known is not stated" if each.at_distance is None else ""
+            tip = gettext("Uncertainty not given; not included") if each.at_distance is None else ""
             rows.append(Row((Cell(each.source), *figures), marked=each in sums, tip=tip))
         self.show_rows(rows)

@@ -1,4 +1,4 @@
-"""Where the cache lies, how large it is, and emptying it."""
+"""Settings of the cache: folder, size, and a button to empty it."""
 
 from pathlib import Path
 
@@ -7,15 +7,16 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMessageBox, QVBoxLayout
 
 from lispac import caches
 from lispac.errors import InputError
-from lispac.gui.language import say
+from lispac.gui.dialogs.error import error_text
 from lispac.gui.panels import widgets
 from lispac.gui.safekeeping import LOCK_NAME
+from lispac.language import N_, gettext
 
-OPEN = "The demo survey is open; close it, then empty the cache."
+DEMO_OPEN = N_("The demo survey is open. Close it, then empty the cache.")
 
 
 class CacheBox(QWidget):
-    """The choice counts when the settings are kept; emptying counts at once."""
+    """The choice of the folder applies with the settings; the cache is emptied at once."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -24,16 +25,19 @@ class CacheBox(QWidget):
         self.size = widgets.label("", "muted", name="settings_cache_size")
         self.said = widgets.label("", "error", wrap=True, name="settings_cache_said")
         self.choose = widgets.button(
-            "Choose…", "settings_cache_choose",
-            tip="Another folder for the demo survey, compiled code and lists of fonts; projects "
-            "stay where they are, and what lies in the former folder too",
+            gettext("Choose…"), "settings_cache_choose",
+            tip=gettext(
+                "Choose another folder for the demo survey, compiled code and lists of fonts. "
+                "Projects and the contents of the former folder are not moved."
+            ),
         )  # fmt: skip
         self.usual = widgets.button(
-            "Usual folder", "settings_cache_usual", tip="The folder for caches of the system"
-        )
+            gettext("Default folder"), "settings_cache_usual",
+            tip=gettext("Use the cache folder of the system"),
+        )  # fmt: skip
         self.empty = widgets.button(
-            "Empty the cache…", "settings_cache_empty",
-            tip="Remove what the program can make again",
+            gettext("Empty cache…"), "settings_cache_empty",
+            tip=gettext("Delete files that the program can create again"),
         )  # fmt: skip
         row = QHBoxLayout()
         for each in (self.choose, self.usual, self.empty):
@@ -53,30 +57,30 @@ class CacheBox(QWidget):
 
     @property
     def folder(self) -> Path | None:
-        """The folder that is chosen; None for the usual one."""
+        """The chosen folder; None for the default one."""
         return self._folder
 
     def show_folder(self, folder: Path | None) -> None:
-        """Show another place and what lies there."""
+        """Show a folder and the size of its cache; None for the default folder."""
         self._folder = folder
         place = caches.place_in(folder)
         self.place.setText(str(place))
         self.usual.setEnabled(folder is not None)
         self._show_size(place)
-        self._say("")
+        self._show_problem("")
 
     def take(self, folder: Path) -> None:
-        """Choose a folder, or say why it does not serve."""
+        """Choose a folder, or show why it cannot be used."""
         try:
             caches.require_writable(folder)
         except InputError as error:
-            self._say(str(error))
+            self._show_problem(error_text(error))
         else:
             self.show_folder(folder)
 
     def _choose(self) -> None:
         start = self._folder or caches.usual_folder()
-        found = QFileDialog.getExistingDirectory(self, say("Folder for the cache"), str(start))
+        found = QFileDialog.getExistingDirectory(self, gettext("Folder for the cache"), str(start))
         if found:
             self.take(Path(found))
 
@@ -85,7 +89,7 @@ class CacheBox(QWidget):
         lock = QLockFile(str(place / caches.DEMO / LOCK_NAME))
         lock.setStaleLockTime(0)
         if not lock.tryLock(0) and lock.error() == QLockFile.LockError.LockFailedError:
-            self._say(OPEN)
+            self._show_problem(gettext(DEMO_OPEN))
             return
         lock.unlock()
         if not self._sure(place):
@@ -93,24 +97,24 @@ class CacheBox(QWidget):
         try:
             caches.empty(place)
         except InputError as error:
-            self._say(str(error))
+            self._show_problem(error_text(error))
         else:
-            self._say("")
+            self._show_problem("")
         self._show_size(place)
 
     def _sure(self, place: Path) -> bool:
         box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say("Empty the cache?"),
+            QMessageBox.Icon.Question, "LISPAC", gettext("Empty the cache?"),
             QMessageBox.StandardButton.Cancel, self,
         )  # fmt: skip
         box.setObjectName("empty_cache")
         box.setInformativeText(
-            say(
-                "The demo survey goes, with what was picked in it, and code that is compiled again "
-                "when it is needed. Projects, settings and sensors stay."
+            gettext(
+                "This deletes compiled code and the demo survey with its picked targets. Projects, "
+                "settings and sensors are kept."
             )
         )
-        remove = box.addButton(say("Empty"), QMessageBox.ButtonRole.DestructiveRole)
+        remove = box.addButton(gettext("Empty cache"), QMessageBox.ButtonRole.DestructiveRole)
         box.exec()
         chosen = box.clickedButton()
         box.deleteLater()
@@ -118,9 +122,9 @@ class CacheBox(QWidget):
 
     def _show_size(self, place: Path) -> None:
         found = caches.size(place)
-        self.size.setText(say(f"{found / 1e6:,.1f} MB" if found else "empty"))
+        self.size.setText(gettext("{size:mb.1} MB", size=found) if found else gettext("empty"))
         self.empty.setEnabled(found > 0)
 
-    def _say(self, words: str) -> None:
-        self.said.setText(say(words))
-        self.said.setVisible(bool(words))
+    def _show_problem(self, text: str) -> None:
+        self.said.setText(text)
+        self.said.setVisible(bool(text))

@@ -1,4 +1,4 @@
-"""Against which reference the lines are to be checked, and what came of it."""
+"""Dialogues of the check against a reference: the request and its result."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,43 +15,51 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.dialogs.study import StudyDialog
 from lispac.gui.dialogs.system_choice import HEIGHTS, system_box, system_text
-from lispac.gui.language import say
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute, AgainstReference, LineAgainstReference
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.absolute import REACH, SIGMA
 from lispac.workflow.target_systems import LOCAL
 
-AS_STATED = "As the file says, else the local frame"
-COLUMNS = (
-    Column("Line", "Each line that saw the reference, and all of them", words=True),
-    Column("Places", "Where line and reference were compared, the same before and after"),
-    *(
-        Column(f"{name} {state} (mm)", f"{tip}, {state} the calibration, millimetres", base="mm")
-        for state in ("before", "after")
-        for name, tip in (
-            ("Mean", "Mean distance from the reference, positive towards the vessel"),
-            ("± 95 %", "What the mean may be off by, with POS, reference and boresight"),
-            ("RMS", "Root mean square distance"),
-        )
+AS_IN_FILE = N_("As in the file, otherwise the local frame")
+DISTANCES = (
+    (
+        N_("Mean before (mm)"),
+        N_("Mean distance from the reference before calibration, positive towards the vessel"),
     ),
-    Column("Finding", "Whether the mean after the calibration is within its 95 %", words=True),
+    (
+        N_("± 95 % before (mm)"),
+        N_("95 % confidence of the mean before calibration, including POS and reference"),
+    ),
+    (N_("RMS before (mm)"), N_("Root mean square distance before calibration")),
+    (
+        N_("Mean after (mm)"),
+        N_("Mean distance from the reference after calibration, positive towards the vessel"),
+    ),
+    (
+        N_("± 95 % after (mm)"),
+        N_("95 % confidence of the mean after calibration, including POS, reference and boresight"),
+    ),
+    (N_("RMS after (mm)"), N_("Root mean square distance after calibration")),
 )
+"""Titles and tips of the columns of distances, in millimetres."""
 
 
 @dataclass(frozen=True)
 class CheckRequest:
-    """What is to be checked.
+    """Reference of a check, and how it is compared.
 
     Attributes
     ----------
-    crs, height : as `lispac check` takes them; empty as the file says
+    crs, height : as `lispac check` takes them; empty as in the file
     sigma : float, metres
-        Of the reference, where it states none.
+        Standard deviation of the reference where it has none.
     reach : float, metres
-        How far from the reference a line is looked for.
+        Search distance for points of a line around the reference.
     """
 
     path: Path
@@ -62,28 +70,33 @@ class CheckRequest:
 
 
 class CheckDialog(QDialog):
-    """A file, its coordinates and how good it is."""
+    """Dialogue for a reference: file, coordinate system and standard deviation."""
 
     def __init__(
         self, project: Project, trajectory: LocalTrajectory, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("check_dialog")
-        self.setWindowTitle(say("Check against a reference"))
+        self.setWindowTitle(gettext("Check against a reference"))
         self.setMinimumWidth(620)
         self._start = project.folder.parent
         layout = widgets.column(self, 16)
         layout.addWidget(
             widgets.label(
-                "The lines are compared with a static scan of the site, or with surveyed points: a "
-                "list with name, three coordinates, and perhaps the sigma and the plane that each "
-                "point lies on with others.", wrap=True,
+                gettext(
+                    "The lines are compared with a static scan of the site or with surveyed "
+                    "points. A list of points has a name and three coordinates for each point, and "
+                    "optionally its standard deviation and the name of its plane."
+                ),
+                wrap=True,
             )
-        )  # fmt: skip
+        )
         self.file = QLineEdit()
         self.file.setObjectName("check_file")
-        self.file.setPlaceholderText(say("LAS, LAZ, E57, PTS or text"))
-        browse = widgets.button("Browse…", "check_browse", tip="Choose the reference")
+        self.file.setPlaceholderText(gettext("LAS, LAZ, E57, PTS or text"))
+        browse = widgets.button(
+            gettext("Browse…"), "check_browse", tip=gettext("Choose the reference")
+        )
         browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
         row = QHBoxLayout()
@@ -91,38 +104,42 @@ class CheckDialog(QDialog):
         row.addWidget(browse)
         self.system = system_box("check_system", project, trajectory, local_first=True)
         known = self.system.findData("")
-        if known >= 0:  # what the lines are in says nothing of the reference
+        if known >= 0:  # the system of the lines is not that of the reference
             self.system.removeItem(known)
-        self.system.insertItem(0, say(AS_STATED), "")
+        self.system.insertItem(0, gettext(AS_IN_FILE), "")
         self.system.setCurrentIndex(0)
         self.height = QLineEdit()
         self.height.setObjectName("check_height")
-        self.height.setPlaceholderText(say(HEIGHTS))
+        self.height.setPlaceholderText(gettext(HEIGHTS))
         self.sigma = widgets.number(
             "check_sigma", suffix=" mm", decimals=1, low=0, high=1000, step=1,
-            tip="1 sigma of the reference: of a scan what all its points share (registration and "
-            "control), of a list that of each point it states none for",
+            tip=gettext(
+                "Standard deviation of the reference: for a scan the error common to all points "
+                "(registration and control), for a list that of points without their own"
+            ),
         )  # fmt: skip
         self.sigma.setValue(1000 * SIGMA)
         self.reach = widgets.number(
             "check_reach", suffix=" m", decimals=2, low=0.05, high=20, step=0.25,
-            tip="How far from the reference a line is looked for: more than the prior boresight "
-            "puts it off",
+            tip=gettext(
+                "Largest distance between line and reference; must exceed the displacement caused "
+                "by the prior boresight"
+            ),
         )  # fmt: skip
         self.reach.setValue(REACH)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.addRow(say("Reference"), row)
-        form.addRow(say("Coordinates"), self.system)
-        form.addRow(say("Heights"), self.height)
-        form.addRow(say("Reference ± 1 sigma"), self.sigma)
-        form.addRow(say("Looked for within"), self.reach)
+        form.addRow(gettext("Reference"), row)
+        form.addRow(gettext("Coordinates"), self.system)
+        form.addRow(gettext("Heights"), self.height)
+        form.addRow(gettext("Reference (1 σ)"), self.sigma)
+        form.addRow(gettext("Search distance"), self.reach)
         layout.addLayout(form)
-        self.check = widgets.button("Check", "check_run", primary=True)
+        self.check = widgets.button(gettext("Check"), "check_run", primary=True)
         self.check.setDefault(True)
         self.check.clicked.connect(self.accept)
-        cancel = widgets.button("Cancel", "check_cancel")
+        cancel = widgets.button(gettext("Cancel"), "check_cancel")
         cancel.setAutoDefault(False)
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
@@ -137,7 +154,7 @@ class CheckDialog(QDialog):
 
     @property
     def request(self) -> CheckRequest:
-        """What is filled in."""
+        """The check as filled in."""
         code = system_text(self.system)
         height = self.height.text().strip() if code != LOCAL else ""
         return CheckRequest(
@@ -151,41 +168,73 @@ class CheckDialog(QDialog):
 
     def _browse(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self, say("Reference"), str(self._start),
-            say("Scans and lists of points (*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts);;"
-            "All files (*)"),
+            self, gettext("Reference"), str(self._start),
+            ";;".join(
+                [
+                    gettext(
+                        "Scans and lists of points ({patterns})",
+                        patterns="*.las *.laz *.e57 *.txt *.csv *.asc *.xyz *.pts",
+                    ),
+                    gettext("All files (*)"),
+                ]
+            ),
         )  # fmt: skip
         if name:
             self.file.setText(name)
 
 
 class CheckedDialog(StudyDialog):
-    """How far each line is from the reference, before and after."""
+    """Distances of each line from the reference, before and after calibration."""
 
     def __init__(self, found: Absolute, parent: QWidget | None = None) -> None:
         from lispac.report.absolute_figure import absolute_figure
 
-        table = DiagnosticsTable("check_table", "Lines against the reference", COLUMNS)
+        table = DiagnosticsTable("check_table", gettext("Lines and reference"), _columns())
         super().__init__(
-            "checked", f"Check against {found.reference}",
-            "Distances of the lines from the reference along its normal, positive towards the "
-            "vessel. The report has them too.",
+            "checked", gettext("Check against {reference}", reference=found.reference),
+            gettext(
+                "Distances of the lines from the reference along its normal, positive towards the "
+                "vessel. The report also contains them."
+            ),
             table, parent,
         )  # fmt: skip
-        self.show_rows([_row(each) for each in (*found.lines, found.together)])
-        unseen = [f"Not compared: {reason}" for reason in found.not_compared]
-        self.said.setText(say("\n".join([*found.in_words, *unseen])))
+        self.show_rows(
+            [
+                *(_row(each, Cell(each.line, named=True)) for each in found.lines),
+                _row(found.together, Cell(gettext("all lines"))),
+            ]
+        )
+        not_compared = [
+            gettext("Not compared: {reason}", reason=say(reason)) for reason in found.not_compared
+        ]
+        self.said.setText("\n".join([*say_all(found.in_words), *not_compared]))
         absolute_figure(found, say, self.figure())
         self.resize(1000, 760)
 
 
-def _row(line: LineAgainstReference) -> Row:
+def _columns() -> tuple[Column, ...]:
+    return (
+        Column(gettext("Line"), gettext("Each line compared, and all lines together"), words=True),
+        Column(
+            gettext("Places"),
+            gettext("Places where line and reference are compared, the same before and after"),
+        ),
+        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCES),
+        Column(
+            gettext("Result"),
+            gettext("Whether the mean after calibration is within its 95 % confidence"),
+            words=True,
+        ),
+    )
+
+
+def _row(line: LineAgainstReference, name: Cell) -> Row:
     after = line.after
-    cells = [Cell(line.line), number(after.distances.n, ",.0f")]
+    cells = [name, number(after.distances.n, ",.0f")]
     for state in (line.before, after):
         cells += _figures(state)
-    word = "differs" if after.mean_significant else "agrees"
-    return Row((*cells, Cell(word)), marked=after.mean_significant)
+    result = gettext("differs") if after.mean_significant else gettext("agrees")
+    return Row((*cells, Cell(result)), marked=after.mean_significant)
 
 
 def _figures(state: AgainstReference) -> list[Cell]:

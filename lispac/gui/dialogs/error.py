@@ -1,4 +1,4 @@
-"""The one dialogue for everything that went wrong."""
+"""Message box for errors."""
 
 import traceback
 
@@ -6,40 +6,51 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 
 from lispac.errors import LispacError
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
+from lispac.language import gettext
+
+
+def error_text(error: LispacError) -> str:
+    """Text of an error in the language of the user."""
+    return say(str(error)) if error.message is None else say_message(error.message)
 
 
 def describe(error: BaseException) -> tuple[str, str]:
-    """A plain sentence, and details where it tells of what a library or the system has said."""
+    """Text of an error in the language of the user, and the traceback where it is needed."""
     if isinstance(error, LispacError):
         foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
-        return str(error), "".join(traceback.format_exception(error)) if foreign else ""
+        return error_text(error), "".join(traceback.format_exception(error)) if foreign else ""
     if isinstance(error, MemoryError):
-        return "There is not enough memory for this; close other programs or use fewer lines.", ""
+        return gettext("Not enough memory. Close other programs or use fewer lines."), ""
     if isinstance(error, OSError) and error.strerror:
-        return f"{error.filename or 'A file'}: {error.strerror}.", ""
+        reason = say(error.strerror)
+        if not error.filename:
+            return gettext("A file cannot be used: {reason}.", reason=reason), ""
+        return gettext("{file}: {reason}.", file=error.filename, reason=reason), ""
     details = "".join(traceback.format_exception(error))
     return (
-        "Something went wrong that the program did not foresee. Your project is as it was before "
-        "this step; save it, and send the details to the program's maintainers.",
+        gettext(
+            "Unexpected error. The project is as it was before this step. Save it, and send the "
+            "details to the maintainers of the program."
+        ),
         details,
     )
 
 
 def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
-    """The dialogue, not yet shown."""
-    sentence, details = describe(error)
-    box = widgets.MessageBox(QMessageBox.Icon.Warning, "LISPAC", say(sentence), parent=parent)
+    """Message box for an error, not yet shown."""
+    text, details = describe(error)
+    box = widgets.MessageBox(QMessageBox.Icon.Warning, "LISPAC", text, parent=parent)
     box.setObjectName("error_dialog")
     box.setStandardButtons(QMessageBox.StandardButton.Close)
     box.setDefaultButton(QMessageBox.StandardButton.Close)
     if details:
         box.setIcon(QMessageBox.Icon.Critical)
         box.setDetailedText(details)
-        copy = box.addButton(say("Copy details"), QMessageBox.ButtonRole.ActionRole)
+        copy = box.addButton(gettext("Copy details"), QMessageBox.ButtonRole.ActionRole)
         copy.setObjectName("copy_details")
-        # A message box closes with any of its buttons; this one is to leave it open.
+        # A message box closes with any of its buttons; this one leaves it open.
         copy.clicked.disconnect()
         copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(details))
     buttons = box.findChild(QDialogButtonBox)

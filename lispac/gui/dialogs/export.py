@@ -1,4 +1,4 @@
-"""What to export, with which boresight, in which coordinates, and where."""
+"""Export dialogue: content, boresight, coordinates, file format and folder."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,10 +19,12 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError, LispacError
 from lispac.gui import theme
-from lispac.gui.dialogs.system_choice import HEIGHTS, REST_MS, system_box, system_text
-from lispac.gui.language import say, say_all, say_sentences
+from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
+from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.installed import expanded
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
@@ -36,21 +38,24 @@ from lispac.workflow.exporting import EPOCH_WORDS, trajectory_datum_words
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.target_systems import DOUBT, LOCAL, own_datum
 
-THINGS: dict[What, str] = {
-    "lines": "Georeferenced lines, all attributes kept",
-    "targets": "Points of targets and validation planes",
-    "planes": "Plane files of the targets (25 columns)",
-    "trajectory": "Trajectory",
+CONTENTS: dict[What, str] = {
+    "lines": N_("Georeferenced lines with all attributes"),
+    "targets": N_("Points of targets and validation planes"),
+    "planes": N_("Plane files of the targets (25 columns)"),
+    "trajectory": N_("Trajectory"),
 }
-FORMS = {
-    "laz": "LAZ (compressed)", "las": "LAS", "csv": "CSV", "txt": "Text", "sbet": "SBET (.out)",
-    "text": "Text (.txt)",
+FORMATS = {
+    "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text"),
+    "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
-BORESIGHTS: dict[Which, str] = {"estimated": "Estimated", "prior": "Prior"}
+BORESIGHTS: dict[Which, str] = {
+    "estimated": N_("Estimated boresight"),
+    "prior": N_("Prior boresight"),
+}
 
 
 class ExportDialog(QDialog):
-    """Asks what to export."""
+    """Dialogue for an export of a project."""
 
     def __init__(
         self,
@@ -62,28 +67,29 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("export_dialog")
-        self.setWindowTitle(say("Export"))
+        self.setWindowTitle(gettext("Export"))
         self._project, self._trajectory = project, trajectory
-        self.what = widgets.Choice("export_what", list(THINGS.values()), "What to write")
-        self.boresight = widgets.Choice(
-            "export_boresight", list(BORESIGHTS.values()), "Boresight the points are placed with"
+        self.what = widgets.Choice(
+            "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")
         )
+        self.boresight = widgets.Choice(
+            "export_boresight", [gettext(each) for each in BORESIGHTS.values()],
+            gettext("Boresight angles for georeferencing"),
+        )  # fmt: skip
         self.system = system_box("export_system", project, trajectory)
         self.height = QLineEdit()
         self.height.setObjectName("export_height")
-        self.height.setPlaceholderText(say(HEIGHTS))
-        self.height.setToolTip(
-            say("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid")
-        )
+        self.height.setPlaceholderText(gettext(HEIGHTS))
+        self.height.setToolTip(gettext(HEIGHTS_TIP))
         self.datum, self.epoch = QLineEdit(), QLineEdit()
         self.datum.setObjectName("export_datum")
-        self.datum.setPlaceholderText(say("As the coordinate system, nothing is shifted"))
+        self.datum.setPlaceholderText(gettext("As the coordinate system, no datum shift"))
         self.datum.setToolTip(
-            say("Geographic system of the trajectory: EPSG:7912 for ITRF2014, say")
+            gettext("Geographic system of the trajectory, such as EPSG:7912 for ITRF2014")
         )
         self.epoch.setObjectName("export_epoch")
-        self.epoch.setPlaceholderText(say("Where datums drift apart: 2024.5, say"))
-        self.epoch.setToolTip(say("Date of the survey as a decimal year (yr)"))
+        self.epoch.setPlaceholderText(gettext("For a time-dependent datum shift, such as 2024.5"))
+        self.epoch.setToolTip(gettext("Date of the survey as a decimal year (yr)"))
         self._preset_datum()
         self.said = widgets.label("", "muted", wrap=True, name="export_said")
         self.form = QComboBox()
@@ -91,7 +97,7 @@ class ExportDialog(QDialog):
         self.folder = QLineEdit(str(project.folder / "export"))
         self.folder.setObjectName("export_folder")
         self.folder.setMinimumWidth(420)
-        browse = widgets.button("Browse…", "export_browse", icon="folder-open-outline")
+        browse = widgets.button(gettext("Browse…"), "export_browse", icon="folder-open-outline")
         browse.clicked.connect(self._browse)
         place = QHBoxLayout()
         place.setSpacing(theme.SPACE)
@@ -100,20 +106,20 @@ class ExportDialog(QDialog):
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         self._rows = form
-        form.addRow(say("Export"), self.what)
-        form.addRow(say("Boresight"), self.boresight)
-        form.addRow(say("Coordinates"), self.system)
-        form.addRow(say("Heights"), self.height)
-        form.addRow(say("Trajectory datum"), self.datum)
-        form.addRow(say("Epoch (yr)"), self.epoch)
+        form.addRow(gettext("Data"), self.what)
+        form.addRow(gettext("Boresight"), self.boresight)
+        form.addRow(gettext("Coordinates"), self.system)
+        form.addRow(gettext("Heights"), self.height)
+        form.addRow(gettext("Trajectory datum"), self.datum)
+        form.addRow(gettext("Epoch (yr)"), self.epoch)
         form.addRow("", self.said)
-        form.addRow(say("File format"), self.form)
-        form.addRow(say("Folder"), place)
+        form.addRow(gettext("File format"), self.form)
+        form.addRow(gettext("Folder"), place)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
         ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
-        ok.setText(say("Export"))
+        ok.setText(gettext("Export"))
         ok.setProperty("primary", True)
         for button in self.buttons.buttons():
             button.setIcon(QIcon())
@@ -137,16 +143,16 @@ class ExportDialog(QDialog):
         if project.result is None:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
             self.boresight.setEnabled(False)
-            self.boresight.setToolTip(say("Nothing is estimated yet"))
+            self.boresight.setToolTip(gettext("No boresight has been estimated yet"))
         else:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
-        self.what.setCurrentIndex(list(THINGS).index(what))
+        self.what.setCurrentIndex(list(CONTENTS).index(what))
         self._show_fields()
 
     def request(self) -> ExportRequest:
-        """What was asked for."""
+        """The export as filled in."""
         what, form = self._what, self._form
-        # A relative name is meant beside the project, not where the program was started.
+        # A relative path is relative to the project, not to where the program was started.
         output = self._project.folder / expanded(Path(self.folder.text().strip()))
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
@@ -154,14 +160,14 @@ class ExportDialog(QDialog):
         which = list(BORESIGHTS)[self.boresight.currentIndex()]
         try:
             datum, epoch = self._shift()
-        except InputError:  # said in the dialogue, which does not go on with it
+        except InputError:  # the dialogue shows it and cannot be accepted
             datum, epoch = None, None
         return ExportRequest(
             what, output, which, form, self._system_text, self._height, datum, epoch
         )
 
     def _preset_datum(self) -> None:
-        """Take over what the lines are read with; where they differ, it has to be said."""
+        """Fill in datum and epoch of the lines; leave them empty where the lines differ."""
         self._differ = False
         try:
             datum, epoch = own_datum(self._project.lines)
@@ -172,7 +178,7 @@ class ExportDialog(QDialog):
         self.epoch.setText("" if epoch is None else repr(epoch))
 
     def _shift(self) -> tuple[str | None, float | None]:
-        """Datum and epoch of the trajectory as the fields say; None as the lines' files."""
+        """Datum and epoch of the trajectory from the fields; None: as the files of the lines."""
         if not self.datum.isEnabled():
             return None, None
         text = self.epoch.text().strip().replace(",", ".")
@@ -189,7 +195,7 @@ class ExportDialog(QDialog):
 
     @property
     def _what(self) -> What:
-        return list(THINGS)[self.what.currentIndex()]
+        return list(CONTENTS)[self.what.currentIndex()]
 
     @property
     def _form(self) -> str:
@@ -206,7 +212,7 @@ class ExportDialog(QDialog):
             self._rows.setRowVisible(field, on_map)
         self._rows.setRowVisible(self.boresight, what != "trajectory")
         self.form.clear()
-        self.form.addItems(say_all([FORMS[ending] for ending in ENDINGS[what]]))
+        self.form.addItems([gettext(FORMATS[ending]) for ending in ENDINGS[what]])
         self.form.setEnabled(len(ENDINGS[what]) > 1)
         self._judge()
         self.adjustSize()
@@ -219,7 +225,7 @@ class ExportDialog(QDialog):
         self._settle.start()
 
     def _judge(self) -> None:
-        """Say what the coordinates mean, or what is wrong with them."""
+        """Show the meaning of the coordinates, or what is wrong with them."""
         self._settle.stop()
         local = self._system_text == LOCAL
         self.height.setEnabled(not local)
@@ -231,7 +237,7 @@ class ExportDialog(QDialog):
             text = " ".join(say_sentences(meaning))
             role = "error" if any(DOUBT in each for each in meaning) else "muted"
         except LispacError as error:
-            text, role, good = say(str(error)), "error", False
+            text, role, good = error_text(error), "error", False
         self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
@@ -241,7 +247,7 @@ class ExportDialog(QDialog):
     def _meaning(self) -> Sequence[str]:
         if self._what == "trajectory":
             return [trajectory_datum_words(self._project)]
-        local = ["Metres North, West and Up from the project's origin."]
+        local = [gettext("North, West and Up in metres from the origin of the project.")]
         if self._what == "planes":
             return local
         height = self._height
@@ -254,7 +260,7 @@ class ExportDialog(QDialog):
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(
-            self, say("Folder to export to"), self.folder.text()
+            self, gettext("Folder to export to"), self.folder.text()
         )
         if chosen:
             self.folder.setText(chosen)

@@ -1,59 +1,56 @@
-"""The calibrations of a vessel's system over the years, in a table and as a control chart."""
+"""Dialogue with the calibrations of a system over time: table and control chart."""
 
 from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from lispac.adjustment.result import ANGLES
-from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.language import say
+from lispac.gui.dialogs.study import StudyDialog, angle_columns
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
-from lispac.language import short_date
-from lispac.workflow.history import Entry, History, verdict
+from lispac.language import N_, gettext, short_date
+from lispac.workflow.history import Entry, History, System, verdict
 
-AT = 50.0
-"""Metres, where the table says what a difference does to a point."""
+DISTANCE = 50.0
+"""Metres from the scanner, for the displacement of a point in the table."""
 
-COLUMNS = (
-    Column("Day", "First day of the survey", words=True),
-    Column("Calibration", "Its project", words=True),
-    *(
-        Column(f"{angle.capitalize()}{what} (deg)", f"{tip} of {angle}, degrees", base="°")
-        for angle in ANGLES
-        for what, tip in (("", "Estimated value"), (" ±", "1 sigma"))
+DIFFERENCES = (
+    (
+        N_("Δ roll (σ)"),
+        N_("Roll minus the mean of earlier calibrations, in σ of that difference"),
     ),
-    *(
-        Column(f"Δ {angle} (sigmas)", f"{angle.capitalize()} less the mean of the calibrations "
-               "before, over the sigma of that difference")
-        for angle in ANGLES
+    (
+        N_("Δ pitch (σ)"),
+        N_("Pitch minus the mean of earlier calibrations, in σ of that difference"),
     ),
-    Column(f"Moves at {AT:.0f} m (cm)", "How far a point is from where the mean of the "
-           "calibrations before puts it, at most"),
-    Column("Verdict", "Beyond three sigmas, the angles taken together, the mounting has moved",
-           words=True),
-)  # fmt: skip
+    (
+        N_("Δ yaw (σ)"),
+        N_("Yaw minus the mean of earlier calibrations, in σ of that difference"),
+    ),
+)
+"""Titles and tips of the columns of differences."""
 
 
 class HistoryDialog(StudyDialog):
-    """One system at a time, that with most calibrations first."""
+    """Shows one system at a time, first that with most calibrations."""
 
     def __init__(
         self, histories: Sequence[History], remarks: Sequence[str], parent: QWidget | None = None
     ) -> None:
-        table = DiagnosticsTable("history_table", "Calibrations over the years", COLUMNS)
+        table = DiagnosticsTable("history_table", gettext("Calibration history"), _columns())
         super().__init__(
-            "history", "Calibrations over the years",
-            "Each calibration is held against the mean of those before it. A system is a vessel "
-            "with its scanner and INS/GNSS, as named in the details for the report.",
+            "history", gettext("Calibration history"),
+            gettext(
+                "Each calibration is compared with the mean of the earlier ones. A system is a "
+                "vessel with its scanner and INS/GNSS, as named in the details for the report."
+            ),
             table, parent,
         )  # fmt: skip
         self._histories, self._remarks = tuple(histories), tuple(remarks)
-        self.system = widgets.Choice(
-            "history_system", [each.system.in_words for each in histories],
-            "Whose calibrations are shown",
-        )  # fmt: skip
+        self.system = widgets.Choice("history_system", [""], gettext("System to show"))
+        self.system.clear()
+        self.system.addItems([_name(each.system) for each in histories])
         self.system.setSizeAdjustPolicy(self.system.SizeAdjustPolicy.AdjustToContents)
         self.system.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.system)
@@ -65,7 +62,7 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.said.setText(say("\n".join((*history.remarks, *self._remarks))))
+        self.said.setText("\n".join(say_all((*history.remarks, *self._remarks))))
         self.said.setVisible(bool(self.said.text()))
         control_figure(
             [each.day for each in history.entries],
@@ -74,20 +71,51 @@ class HistoryDialog(StudyDialog):
             say,
         )
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(say(f"Control chart of {history.system.in_words}"))
+        self.canvas.setAccessibleName(
+            gettext("Control chart of {system}", system=_name(history.system))
+        )
+
+
+def _name(system: System) -> str:
+    """Names of vessel, scanner and INS/GNSS."""
+    return gettext("a system without names") if system == System() else system.in_words
+
+
+def _columns() -> list[Column]:
+    return [
+        Column(gettext("Date"), gettext("First day of the survey"), words=True),
+        Column(gettext("Calibration"), gettext("Project of the calibration"), words=True),
+        *angle_columns(),
+        *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCES),
+        Column(
+            gettext("Displacement at {distance:m.0} m (cm)", distance=DISTANCE),
+            gettext("Largest displacement of a point compared with earlier calibrations"),
+        ),
+        Column(
+            gettext("Result"),
+            gettext("Beyond three sigmas in all angles together, the mounting has moved"),
+            words=True,
+        ),
+    ]
 
 
 def _row(entry: Entry) -> Row:
     charted = entry.charted
     found, change = charted.calibration, charted.change
     angles, sigmas = np.degrees(found.boresight), np.degrees(found.sigma)
-    cells = [Cell(entry.day.isoformat(), shown=short_date(entry.day)), Cell(found.name)]
+    cells = [
+        Cell(entry.day.isoformat(), shown=short_date(entry.day)),
+        Cell(found.name, named=True),
+    ]
     for angle, sigma in zip(angles, sigmas, strict=True):
         cells += [number(angle, "+.4f"), number(sigma, ".4f")]
     if change is None:
         cells += [number(None, "")] * 4
     else:
         cells += [number(value, "+.1f") for value in change.significance]
-        cells.append(number(change.displacement(AT), ".1f", 100.0))
-    word = "first" if change is None else "has moved" if charted.moved else "agrees"
-    return Row((*cells, Cell(word)), marked=charted.moved, tip=verdict(entry))
+        cells.append(number(change.displacement(DISTANCE), ".1f", 100.0))
+    if change is None:
+        result = gettext("first calibration")
+    else:
+        result = gettext("has moved") if charted.moved else gettext("agrees")
+    return Row((*cells, Cell(result)), marked=charted.moved, tip=verdict(entry))

@@ -1,4 +1,4 @@
-"""Who, when and with what: the details that page one of the report states."""
+"""Dialogue for the details on page one of the report: surveyor, vessel, instruments, dates."""
 
 from collections.abc import Callable
 
@@ -6,18 +6,36 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QPla
 
 from lispac.errors import InputError
 from lispac.gui import theme
+from lispac.gui.dialogs.error import error_text
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
-from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
-from lispac.workflow.survey_dates import NOT_TOLD
+from lispac.identity import BLANK, LABELS, NAMES, Identity
+from lispac.language import N_, gettext
+
+TIPS = {
+    "surveyor": N_("Surveyor responsible for the calibration"),
+    "company": N_("Company of the surveyor"),
+    "vessel": N_("Name of the vessel"),
+    "site": N_("Site of the survey lines"),
+    "scanner": N_("Maker and model of the LiDAR"),
+    "scanner_serial": N_("Serial number of the LiDAR"),
+    "pos": N_("Maker and model of the INS/GNSS"),
+    "pos_serial": N_("Serial number of the INS/GNSS"),
+    "dates": N_("Day or days of the survey, such as 2026-03-04"),
+    "lever_arm_origin": N_(
+        "How the lever arm was determined, such as “total station in dock, 2026-03-04”"
+    ),
+    "remarks": N_("Further information for the reader"),
+}
+"""Tips of the fields by their names."""
 
 
 class IdentityDialog(QDialog):
-    """A field for each; what is left blank is a line on paper to be filled in by hand.
+    """A field for each detail; blank ones are printed as lines to be filled in by hand.
 
     Parameters
     ----------
-    dates : gives the days that the times of the lines tell, empty where they tell none
+    dates : returns the days of the survey from the times of the lines; empty where unknown
     """
 
     def __init__(
@@ -25,14 +43,14 @@ class IdentityDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("identity_dialog")
-        self.setWindowTitle(say("Details for the report"))
+        self.setWindowTitle(gettext("Details for the report"))
         self.setMinimumWidth(560)
         self._dates = dates
         self.identity: Identity = identity
         layout = widgets.column(self, 16)
         layout.addWidget(
             widgets.label(
-                "What is left blank is printed as a line to be filled in by hand.", wrap=True
+                gettext("Blank fields are printed as lines to be filled in by hand."), wrap=True
             )
         )
         form = QFormLayout()
@@ -44,10 +62,10 @@ class IdentityDialog(QDialog):
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="identity_said")
         layout.addWidget(self.said)
-        self.keep = widgets.button("OK", "identity_keep", primary=True)
+        self.keep = widgets.button(gettext("OK"), "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)
-        cancel = widgets.button("Cancel", "identity_cancel")
+        cancel = widgets.button(gettext("Cancel"), "identity_cancel")
         cancel.setAutoDefault(False)
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
@@ -61,8 +79,8 @@ class IdentityDialog(QDialog):
 
     def _with_button(self, field: QWidget) -> QHBoxLayout:
         take = widgets.button(
-            "From the lines", "identity_dates_of_lines",
-            tip="The days (UTC) that the times of the lines tell",
+            gettext("From the lines"), "identity_dates_of_lines",
+            tip=gettext("Days (UTC) from the times of the lines"),
         )  # fmt: skip
         take.setAutoDefault(False)
         take.clicked.connect(self._take_dates)
@@ -77,18 +95,23 @@ class IdentityDialog(QDialog):
         if found:
             self.fields["dates"].setText(found)
         else:
-            self.said.setText(say(f"{NOT_TOLD[:1].upper()}{NOT_TOLD[1:]}"))
+            self.said.setText(
+                gettext(
+                    "The times of the lines are seconds of the day or week, without a date. Type "
+                    "the date."
+                )
+            )
 
     def _judge(self) -> None:
-        """Take over what is typed, or say what is wrong with it."""
+        """Take over the typed texts, or show what is wrong with them."""
         texts = {name: _text(field) for name, field in self.fields.items()}
         try:
             self.identity = BLANK.changed(**texts)
-            wrong = ""
+            problem = ""
         except InputError as error:
-            wrong = str(error)
-        self.said.setText(say(wrong))
-        self.keep.setEnabled(not wrong)
+            problem = error_text(error)
+        self.said.setText(problem)
+        self.keep.setEnabled(not problem)
 
 
 def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
@@ -101,8 +124,7 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
     field.setAccessibleName(say(LABELS[name]))
-    hint = say(HINTS[name])
-    field.setToolTip(f"{hint[:1].upper()}{hint[1:]}")
+    field.setToolTip(gettext(TIPS[name]))
     return field
 
 

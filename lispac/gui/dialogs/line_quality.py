@@ -1,42 +1,51 @@
-"""How well the lines fit each other, as they are placed: a table and the map."""
+"""Dialogue with the differences between lines: table and map."""
 
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
 from lispac.gui.language import say
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.language import N_, gettext
+from lispac.validation.line_differences import Facing
+from lispac.workflow.georeferencing import Which
 from lispac.workflow.line_quality import Figures, LineQuality
 
-COLUMNS = (
-    Column("First", "The line whose normals are taken", words=True),
-    Column("Second", "The line that is compared with it", words=True),
-    Column("Facing", "Level: within 10 deg of the horizontal; upright: of the vertical",
-           words=True),
-    Column("Places", "Flat places that both lines saw"),
-    Column("Median (mm)", "Along the normal, positive where the second is nearer to the vessel",
-           base="mm"),
-    Column("RMSD (mm)", "Root mean square of the differences", base="mm"),
-    Column("Robust (mm)", "1.4826 times the median absolute deviation from the median", base="mm"),
-    Column("95 % (mm)", "Of the differences without their signs", base="mm"),
-    Column("Largest (mm)", "Of the differences without their signs", base="mm"),
-)  # fmt: skip
-BY = {
-    "prior": "the prior boresight",
-    "estimated": "the estimated boresight",
+STATISTICS = (
+    (
+        N_("Median (mm)"),
+        N_("Median along the normal, positive where the second line is nearer to the vessel"),
+    ),
+    (N_("RMSD (mm)"), N_("Root mean square of the differences")),
+    (N_("Robust σ (mm)"), N_("1.4826 times the median absolute deviation from the median")),
+    (N_("95 % (mm)"), N_("95th percentile of the absolute differences")),
+    (N_("Largest (mm)"), N_("Largest absolute difference")),
+)
+"""Titles and tips of the columns of differences, in millimetres."""
+FACING: dict[Facing, str] = {
+    "all": N_("all surfaces"),
+    "level": N_("horizontal surfaces"),
+    "upright": N_("vertical surfaces"),
+    "sloped": N_("inclined surfaces"),
+}
+INTRODUCTIONS: dict[Which, str] = {
+    "prior": N_(
+        "Differences between each two lines on flat surfaces, along the normal, with the prior "
+        "boresight. The project is not changed."
+    ),
+    "estimated": N_(
+        "Differences between each two lines on flat surfaces, along the normal, with the estimated "
+        "boresight. The project is not changed."
+    ),
 }
 
 
 class LineQualityDialog(StudyDialog):
-    """A row for each two lines and way of facing; below it all places from above."""
+    """A row for each two lines and orientation of the surfaces, and a map of all places."""
 
     def __init__(self, found: LineQuality, parent: QWidget | None = None) -> None:
-        table = DiagnosticsTable("line_quality_table", "Differences between lines", COLUMNS)
-        super().__init__(
-            "line_quality", "Differences between lines",
-            "How far every two lines are apart where the scene is flat, measured along the normal, "
-            f"with the lines placed by {BY[found.which]}. Nothing is changed by it.",
-            table, parent,
-        )  # fmt: skip
+        title = gettext("Differences between lines")
+        table = DiagnosticsTable("line_quality_table", title, _columns())
+        super().__init__("line_quality", title, gettext(INTRODUCTIONS[found.which]), table, parent)
         self.show_rows([_row(*row) for row in found.rows()])
         self.said.setText("\n".join(say(reason) for reason in found.not_compared))
         self.said.setVisible(bool(found.not_compared))
@@ -44,20 +53,37 @@ class LineQualityDialog(StudyDialog):
         self.resize(900, 760)
 
     def _draw(self, found: LineQuality) -> None:
-        # Imported here, so that the start of the window does not wait for Matplotlib.
+        # Matplotlib is imported late, so that the window starts without it.
         from lispac.report.line_map import line_map
 
         line_map(found.pairs, self.figure(), say)
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(say("Places where lines are apart, from above"))
+        self.canvas.setAccessibleName(gettext("Map of the differences between lines"))
 
 
-def _row(first: str, second: str, facing: str, figures: Figures) -> Row:
-    named = first != second  # else all of them together
+def _columns() -> list[Column]:
+    return [
+        Column(gettext("First line"), gettext("Line whose normals are used"), words=True),
+        Column(gettext("Second line"), gettext("Line compared with it"), words=True),
+        Column(
+            gettext("Orientation"),
+            gettext("Horizontal or vertical within 10°, inclined, or all surfaces"),
+            words=True,
+        ),
+        Column(gettext("Places"), gettext("Flat places observed in both lines")),
+        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in STATISTICS),
+    ]
+
+
+def _row(first: str, second: str, facing: Facing, figures: Figures) -> Row:
+    if first == second:  # all lines together
+        names = [Cell(gettext("all lines"))] * 2
+    else:
+        names = [Cell(first, named=True), Cell(second, named=True)]
     sizes = (figures.rmsd, figures.robust_sigma, figures.p95, figures.largest)
     return Row(
         (
-            Cell(first, named=named), Cell(second, named=named), Cell(facing),
+            *names, Cell(gettext(FACING[facing])),
             number(figures.places, ",.0f"), number(figures.median, "+.1f", 1000),
             *(number(size, ".1f", 1000) for size in sizes),
         )

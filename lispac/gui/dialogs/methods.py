@@ -1,41 +1,47 @@
-"""What other methods say of the boresight, beside the targets (as the thesis's table 4.4)."""
+"""Dialogue that compares the boresights of alternative methods (thesis table 4.4)."""
 
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from lispac.adjustment.result import ANGLES
-from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.dialogs.study import StudyDialog, angle_columns
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
-from lispac.methods import WANTED, Answer, sentences
+from lispac.language import N_, gettext
+from lispac.methods import Answer, sentences
 from lispac.opinions import Method
 
-COLUMNS = (
-    Column("Method", "What the boresight was found with", words=True),
-    Column("Lines", "That the answer rests on"),
-    Column("Surfaces", "Targets, planes, natural surfaces or objects that it rests on"),
-    *(
-        Column(f"{angle.capitalize()}{what}{unit}", f"{tip} of {angle}{of}", base=base)
-        for angle in ANGLES
-        for what, unit, tip, of, base in (
-            ("", " (deg)", "Estimated value", ", degrees", "°"),
-            (" ±", " (deg)", "1 sigma", ", degrees", "°"),
-            (" off", " (sigma)", "Difference", " from the first row, over its sigma", None),
-        )
-    ),
+METHODS = {
+    "targets": N_("Targets"),
+    "natural planes": N_("Natural planes"),
+    "targetless": N_("Targetless"),
+    "patch test": N_("Patch test"),
+}
+"""Names of the methods at the start of a row or line."""
+NOT_RUN: dict[Method, str] = {
+    "natural planes": N_("Not run yet: adjustment on the validation planes instead of the targets"),
+    "targetless": N_("Not run yet: adjustment on natural surfaces of the scene"),
+    "patch test": N_("Not run yet: lines rotated until they match on objects"),
+}
+"""Tips of the rows of methods without a result."""
+DIFFERENCES = (
+    (N_("Δ roll (σ)"), N_("Difference of roll from the first row, in σ of the difference")),
+    (N_("Δ pitch (σ)"), N_("Difference of pitch from the first row, in σ of the difference")),
+    (N_("Δ yaw (σ)"), N_("Difference of yaw from the first row, in σ of the difference")),
 )
+"""Titles and tips of the columns of differences."""
 BLANK = Cell("\N{EN DASH}")
+COLUMNS = 12
 
 
 class MethodsDialog(StudyDialog):
-    """A row for each method, those that were not asked too.
+    """A row for each method, with or without a result.
 
     Attributes
     ----------
-    asks : whether the missing ones are to be asked when it has closed
+    asks : whether to run the missing methods after the dialogue is closed
     """
 
     def __init__(
@@ -45,24 +51,31 @@ class MethodsDialog(StudyDialog):
         refused: Mapping[str, str],
         parent: QWidget | None = None,
     ) -> None:
-        table = DiagnosticsTable("methods_table", "Answers of other methods", COLUMNS)
+        table = DiagnosticsTable("methods_table", gettext("Results of all methods"), _columns())
         super().__init__(
-            "methods", "Comparison with other methods",
-            "What other methods say of the same lines; the targets take part in none of them. An "
-            "answer that two methods give can be trusted more. The answers are kept with the "
-            "project and stand in the report.",
+            "methods", gettext("Comparison with other methods"),
+            gettext(
+                "Boresight angles from alternative methods on the same lines, without the targets. "
+                "Results that agree are more reliable. They are saved in the project and shown in "
+                "the report."
+            ),
             table, parent,
         )  # fmt: skip
         self.asks = False
-        self.show_rows([*(_row(each) for each in found), *(_unasked(each) for each in absent)])
-        told = [*sentences(tuple(found)), *(f"{k.capitalize()}: {v}" for k, v in refused.items())]
-        told += [f"{each.method.capitalize()}: {said}" for each in found for said in each.remarks]
-        self.said.setText("\n".join(say(each) for each in told))
-        self.said.setVisible(bool(told))
+        self.show_rows([*(_row(each) for each in found), *(_row_not_run(each) for each in absent)])
+        remarks = [
+            *refused.items(),
+            *((each.method, text) for each in found for text in each.remarks),
+        ]
+        texts = [*map(say, sentences(tuple(found))), *(_named(*remark) for remark in remarks)]
+        self.said.setText("\n".join(texts))
+        self.said.setVisible(bool(texts))
         self.ask = widgets.button(
-            "Run other methods", "methods_ask",
-            tip="Adjust the validation planes and the surfaces of the scene, and do a patch test "
-            "on objects looked for; one undo step",
+            gettext("Run other methods"), "methods_ask",
+            tip=gettext(
+                "Adjust on the validation planes and on natural surfaces, and run a patch test on "
+                "detected objects; one undo step"
+            ),
         )  # fmt: skip
         self.ask.setEnabled(any(each not in refused for each in absent))
         self.ask.clicked.connect(self._ask)
@@ -74,20 +87,42 @@ class MethodsDialog(StudyDialog):
         self.accept()
 
 
+def _columns() -> list[Column]:
+    angles = angle_columns()
+    columns = [
+        Column(gettext("Method"), gettext("Method of estimation"), words=True),
+        Column(gettext("Lines"), gettext("Lines used")),
+        Column(gettext("Surfaces"), gettext("Targets, planes, natural surfaces or objects used")),
+    ]
+    for k, (title, tip) in enumerate(DIFFERENCES):
+        columns += [*angles[2 * k : 2 * k + 2], Column(gettext(title), gettext(tip))]
+    return columns
+
+
+def _name(method: str) -> str:
+    return gettext(METHODS[method])
+
+
+def _named(method: str, text: str) -> str:
+    """A remark on the result of a method, or the reason why there is none."""
+    return gettext("{method}: {text}", method=_name(method), text=say(text))
+
+
 def _row(each: Answer) -> Row:
-    said, against = each.calibration, each.against
+    found, against = each.calibration, each.against
     cells = [
-        Cell(each.method.capitalize()), number(each.lines, ".0f"), number(each.surfaces, ".0f")
+        Cell(_name(each.method)), number(each.lines, ".0f"), number(each.surfaces, ".0f")
     ]  # fmt: skip
-    over = [None] * 3 if against is None else against.significance.tolist()
-    for angle, sigma, off in zip(
-        np.degrees(said.boresight), np.degrees(said.sigma), over, strict=True
+    differences = [None] * 3 if against is None else against.significance.tolist()
+    for angle, sigma, difference in zip(
+        np.degrees(found.boresight), np.degrees(found.sigma), differences, strict=True
     ):
         cells += [number(angle, "+.4f"), number(sigma, ".4f")]
-        cells.append(BLANK if off is None else number(off, "+.1f"))
-    return Row(cells, marked=against is not None and against.differ, tip="; ".join(each.remarks))
+        cells.append(BLANK if difference is None else number(difference, "+.1f"))
+    tip = "\n".join(each.remarks)
+    return Row(cells, marked=against is not None and against.differ, tip=tip)
 
 
-def _unasked(method: Method) -> Row:
-    cells = [Cell(method.capitalize()), *[BLANK] * (len(COLUMNS) - 1)]
-    return Row(cells, tip=f"Not asked yet: {WANTED[method]}")
+def _row_not_run(method: Method) -> Row:
+    cells = [Cell(_name(method)), *[BLANK] * (COLUMNS - 1)]
+    return Row(cells, tip=gettext(NOT_RUN[method]))

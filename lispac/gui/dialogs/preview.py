@@ -1,4 +1,4 @@
-"""The pages of the report as they will be printed."""
+"""Preview of the report: its pages as they are printed."""
 
 from collections.abc import Callable, Sequence
 
@@ -9,15 +9,16 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QScrollArea, QVBoxLa
 from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import gettext
 
 
 class PreviewDialog(QDialog):
-    """Pages one below the other; they can be saved as the PDF they are.
+    """Pages of the report one below the other, which can be saved as PDF.
 
     Parameters
     ----------
     pages : PNG pictures
-    save : asks where to, saves, and says where; empty where nothing was saved
+    save : asks for a file, saves, and returns a text about it; empty where nothing was saved
     """
 
     def __init__(
@@ -25,7 +26,7 @@ class PreviewDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("preview_dialog")
-        self.setWindowTitle(say("Preview of the report"))
+        self.setWindowTitle(gettext("Preview of the report"))
         self._save = save
         self._pages = [_Page(data, k + 1, self.devicePixelRatioF()) for k, data in enumerate(pages)]
         desk = QWidget()
@@ -42,10 +43,12 @@ class PreviewDialog(QDialog):
         self.area.installEventFilter(self)
         self.place = widgets.label("", "muted", name="preview_place")
         self.said = widgets.label("", "muted", name="preview_said")
-        keep = widgets.button("Save as PDF…", "preview_save", icon="content-save", primary=True)
+        keep = widgets.button(
+            gettext("Save as PDF…"), "preview_save", icon="content-save", primary=True
+        )
         keep.setAutoDefault(False)
         keep.clicked.connect(self._keep)
-        close = widgets.button("Close", "preview_close")
+        close = widgets.button(gettext("Close"), "preview_close")
         close.setAutoDefault(False)
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
@@ -58,17 +61,17 @@ class PreviewDialog(QDialog):
         layout.addWidget(self.area, 1)
         layout.addLayout(row)
         bar = self.area.verticalScrollBar()
-        bar.valueChanged.connect(self._tell_place)
-        bar.rangeChanged.connect(self._tell_place)
+        bar.valueChanged.connect(self._show_place)
+        bar.rangeChanged.connect(self._show_place)
         widest = max((page.sizeHint().width() for page in self._pages), default=600)
         screen = self.screen().availableGeometry()
         self.resize(min(widest + 80, screen.width()), min(1000, screen.height() - 60))
         self.area.setFocus()
-        self._tell_place()
+        self._show_place()
 
     @property
     def page(self) -> int:
-        """The page at the middle of what is seen, from 1."""
+        """Number of the page at the middle of the visible area, from 1."""
         middle = self.area.verticalScrollBar().value() + self.area.viewport().height() / 2
         above = [k for k, page in enumerate(self._pages) if page.geometry().top() <= middle]
         return above[-1] + 1 if above else 1
@@ -84,20 +87,22 @@ class PreviewDialog(QDialog):
         return super().eventFilter(watched, event)
 
     def _keep(self) -> None:
-        if said := self._save():
-            self.said.setText(say(said))
+        if text := self._save():
+            self.said.setText(say(text))
 
-    def _tell_place(self) -> None:
-        self.place.setText(say(f"Page {self.page} of {len(self._pages)}"))
+    def _show_place(self) -> None:
+        self.place.setText(
+            gettext("Page {page:n} of {total:n}", page=self.page, total=len(self._pages))
+        )
 
 
 class _Page(QLabel):
-    """A page; its picture is unpacked when it is first seen, for a report has many."""
+    """A page; its picture is unpacked when it is first visible."""
 
     def __init__(self, data: bytes, number: int, ratio: float) -> None:
         super().__init__()
         self.setObjectName(f"preview_page_{number}")
-        self.setAccessibleName(say(f"Page {number}"))
+        self.setAccessibleName(gettext("Page {page:n}", page=number))
         self._data, self._ratio = QByteArray(data), ratio
         buffer = QBuffer(self._data)
         self.setFixedSize(QImageReader(buffer, QByteArray(b"PNG")).size() / ratio)

@@ -1,4 +1,4 @@
-"""What is proposed: a list to tick in, accept or reject."""
+"""Dialogue with the proposed targets: a list to tick, accept or reject."""
 
 from math import degrees
 
@@ -14,26 +14,27 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.adjustment.result import ANGLES
-from lispac.adjustment.shown import listed
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all, say_message
+from lispac.gui.language import local_number, say, say_message
 from lispac.gui.panels import widgets
+from lispac.language import N_, gettext
 from lispac.workflow.proposing import Proposal
 
-ROLES = {"target": "Target", "validation": "Validation plane"}
+ROLES = {"target": N_("Target"), "validation": N_("Validation plane")}
+HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Reason"))
 
 
 class ProposalDialog(QDialog):
-    """Targets and validation planes with the reason of each; all are ticked at first."""
+    """Proposed targets and validation planes with their reasons; initially all are ticked."""
 
     def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("proposal_dialog")
-        self.setWindowTitle(say("Proposed targets"))
+        self.setWindowTitle(gettext("Proposed targets"))
         self.resize(860, 420)
         self._proposal = proposal
         layout = widgets.column(self, 16)
-        layout.addWidget(widgets.label(_said(proposal), wrap=True, name="proposal_sigmas"))
+        layout.addWidget(widgets.label(_introduction(proposal), wrap=True, name="proposal_sigmas"))
         warnings = widgets.label("", "warning", wrap=True, name="proposal_warnings")
         warnings.setText("\n".join(map(say_message, proposal.warnings)))
         warnings.setVisible(bool(proposal.warnings))
@@ -41,8 +42,8 @@ class ProposalDialog(QDialog):
         self.table = QTableWidget(len(proposal.targets), 4)
         self.table.setTabKeyNavigation(False)
         self.table.setObjectName("proposal_table")
-        self.table.setAccessibleName(say("Proposed targets and validation planes"))
-        self.table.setHorizontalHeaderLabels(say_all(["Name", "Role", "Lines", "Why"]))
+        self.table.setAccessibleName(gettext("Proposed targets and validation planes"))
+        self.table.setHorizontalHeaderLabels([gettext(head) for head in HEADS])
         self.table.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft)
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
@@ -53,17 +54,17 @@ class ProposalDialog(QDialog):
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(3, QHeaderView.ResizeMode.Stretch)
-        # Rows follow the width the reasons get in the end.
+        # The heights of the rows follow the final width of the reasons.
         self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setStyleSheet("QTableWidget::item { padding: 4px 6px; }")
         self.table.itemChanged.connect(lambda _item: self._count())
         layout.addWidget(self.table, 1)
         self.accept_button = widgets.button(
-            "", "accept_proposal", primary=True, tip="Add the ticked ones to the project"
+            "", "accept_proposal", primary=True, tip=gettext("Add the ticked targets and planes")
         )
         self.accept_button.setDefault(True)
         self.accept_button.clicked.connect(self.accept)
-        reject = widgets.button("Reject", "reject_proposal", tip="Add nothing")
+        reject = widgets.button(gettext("Reject"), "reject_proposal", tip=gettext("Add nothing"))
         reject.setAutoDefault(False)  # Enter accepts, wherever the focus is
         reject.clicked.connect(self.reject)
         row = QHBoxLayout()
@@ -75,7 +76,7 @@ class ProposalDialog(QDialog):
 
     @property
     def ticked(self) -> tuple[str, ...]:
-        """Names of those that are to be added."""
+        """Names of the ticked targets and planes."""
         checked = Qt.CheckState.Checked
         return tuple(
             target.name
@@ -90,38 +91,62 @@ class ProposalDialog(QDialog):
             name = QTableWidgetItem(theme.swatch(colour), target.name)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Checked)
-            name.setToolTip(say("Untick to leave it out"))
-            lines = ", ".join(sighting.line for sighting in target.sightings)
-            seen = QTableWidgetItem(str(len(target.sightings)))
-            seen.setToolTip(widgets.plain_tip(say(f"Seen on {lines}")))
-            why = QTableWidgetItem(say(proposal.reasons[target.name]))
-            why.setToolTip(widgets.plain_tip(say(proposal.reasons[target.name])))
-            for column, item in enumerate(
-                (name, QTableWidgetItem(say(ROLES[target.role])), seen, why)
-            ):
+            name.setToolTip(gettext("Untick to exclude"))
+            role = QTableWidgetItem(gettext(ROLES[target.role]))
+            lines = [sighting.line for sighting in target.sightings]
+            seen = QTableWidgetItem(str(len(lines)))
+            seen.setToolTip(widgets.plain_tip(gettext("Observed on {lines:names}", lines=lines)))
+            text = say(proposal.reasons[target.name])
+            reason = QTableWidgetItem(text)
+            reason.setToolTip(widgets.plain_tip(text))
+            for column, item in enumerate((name, role, seen, reason)):
                 self.table.setItem(row, column, item)
 
     def _count(self) -> None:
-        count = len(self.ticked)
-        self.accept_button.setText(say(f"Accept {count} of {self.table.rowCount()}"))
-        self.accept_button.setEnabled(count > 0)
+        ticked, total = len(self.ticked), self.table.rowCount()
+        self.accept_button.setText(
+            gettext("Accept {ticked:n} of {total:n}", ticked=ticked, total=total)
+        )
+        self.accept_button.setEnabled(ticked > 0)
 
 
-def _said(proposal: Proposal) -> str:
-    return (
-        f"{_targets_said(proposal)} Validation planes take no part in the adjustment; the lines "
-        "are compared on them. Untick what you do not want."
+def _introduction(proposal: Proposal) -> str:
+    """Predicted standard deviations, and the purpose of the validation planes."""
+    return "\n".join(
+        [
+            _about_targets(proposal),
+            gettext(
+                "Validation planes are not used in the adjustment; the lines are compared on them. "
+                "Untick what is not to be added."
+            ),
+        ]
     )
 
 
-def _targets_said(proposal: Proposal) -> str:
-    """What the targets give, or that there are no further ones."""
-    picked = listed(proposal.picked) if proposal.picked else ""
+def _about_targets(proposal: Proposal) -> str:
+    """Standard deviations with the targets, or that all useful ones are picked."""
     if not any(target.role == "target" for target in proposal.targets):
-        return f"No further targets are proposed: what would serve is picked already ({picked})."
-    sigmas = ", ".join(
-        f"{angle} {units.amount(degrees(value), '°', '.3f')}"
-        for angle, value in zip(ANGLES, proposal.sigma, strict=True)
+        return gettext(
+            "No further targets are proposed: all suitable surfaces are already picked "
+            "({targets:names}).",
+            targets=proposal.picked,
+        )
+    sigmas = dict(zip(ANGLES, map(_angle, proposal.sigma), strict=True))
+    if proposal.picked:
+        return gettext(
+            "Standard deviations of the boresight with the proposed targets and {targets:names} "
+            "(already picked): roll {roll}, pitch {pitch}, yaw {yaw}.",
+            targets=proposal.picked, **sigmas,
+        )  # fmt: skip
+    return gettext(
+        "Standard deviations of the boresight with the proposed targets: roll {roll}, pitch "
+        "{pitch}, yaw {yaw}.",
+        **sigmas,
     )
-    also = f" and of {picked}, picked already" if picked else ""
-    return f"Standard deviations of the boresight from all targets proposed{also}: {sigmas}."
+
+
+def _angle(radians: float) -> str:
+    """An angle in the unit that the user has chosen."""
+    sign = units.unit("°").sign
+    value = local_number(units.figure(degrees(radians), "°", ".3f"))
+    return value + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

@@ -1,4 +1,4 @@
-"""Short questions, and what went wrong."""
+"""Message boxes with a question, and the message box for errors."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,17 +11,17 @@ from lispac.gui.dialogs.error import describe, error_box
 from lispac.gui.language import say
 from lispac.gui.logbook import LOG
 from lispac.gui.panels import widgets
-from lispac.gui.status import counted
+from lispac.language import Plural, gettext
 
 Answer = Literal["save", "discard", "cancel"]
 CandidateAnswer = Literal["accept", "reject", "cancel"]
 DropAnswer = Literal["add", "new", "cancel"]
-MOST_NAMED = 8
-"""Missing files that are named one by one."""
+MAX_NAMED = 8
+"""Missing files that are listed by name."""
 
 
 class Questions:
-    """Asks what a box with a few buttons can ask."""
+    """Questions with a few buttons, answered in a message box."""
 
     def __init__(self) -> None:
         self.parent: QWidget | None = None
@@ -30,19 +30,21 @@ class Questions:
     def add_or_new(self, name: str) -> DropAnswer:
         """What to do with files dropped while a project is open."""
         box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say(f"Add the files to {name}?"),
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext("Add the files to {project}?", project=name),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("drop_dialog")
         box.setInformativeText(
-            say(
-                "Lines are added to the open project and checked against its trajectory; "
-                "what has been "
-                "picked stays. Files of another survey make a new project."
+            gettext(
+                "Added lines are checked against the trajectory of the project, and its targets "
+                "are kept. Create a new project for files of another survey."
             )
         )
-        add = box.addButton(say(f"Add to {name}"), QMessageBox.ButtonRole.AcceptRole)
-        new = box.addButton(say("New project"), QMessageBox.ButtonRole.ActionRole)
+        add = box.addButton(
+            gettext("Add to {project}", project=name), QMessageBox.ButtonRole.AcceptRole
+        )
+        new = box.addButton(gettext("New project"), QMessageBox.ButtonRole.ActionRole)
         box.setDefaultButton(add)
         box.exec()
         chosen = box.clickedButton()
@@ -57,13 +59,13 @@ class Questions:
         box = widgets.MessageBox(
             QMessageBox.Icon.Question,
             "LISPAC",
-            say(f"Save the changes to {name}?"),
+            gettext("Save the changes to {project}?", project=name),
             buttons.Save | buttons.Discard | buttons.Cancel,
             self.parent,
         )
-        box.setInformativeText(say("Unsaved changes will be lost."))
-        # Qt's own word is another one in each language, and a clumsy one in French
-        box.button(buttons.Discard).setText(say("Do not save"))
+        box.setInformativeText(gettext("Unsaved changes will be lost."))
+        # Qt's own label differs between systems, and its French one is poor
+        box.button(buttons.Discard).setText(gettext("Do not save"))
         box.setDefaultButton(buttons.Save)
         chosen = box.exec()
         box.deleteLater()
@@ -72,15 +74,18 @@ class Questions:
         return "discard" if chosen == buttons.Discard else "cancel"
 
     def candidate_waits(self, name: str) -> CandidateAnswer:
-        """What to do with a plane that was found and not yet accepted, before estimating."""
+        """What to do with a target that was found and not yet accepted, before estimating."""
         box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say(f"{name} was found and is not accepted yet."),
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext("{target} has been found but not accepted yet.", target=name),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("candidate_dialog")
-        box.setInformativeText(say("Only accepted targets take part in the adjustment."))
-        accept = box.addButton(say("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
-        reject = box.addButton(say("Estimate without it"), QMessageBox.ButtonRole.DestructiveRole)
+        box.setInformativeText(gettext("The adjustment uses accepted targets only."))
+        accept = box.addButton(gettext("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
+        reject = box.addButton(
+            gettext("Estimate without it"), QMessageBox.ButtonRole.DestructiveRole
+        )
         box.setDefaultButton(accept)
         box.exec()
         chosen = box.clickedButton()
@@ -90,92 +95,111 @@ class Questions:
         return "reject" if chosen is reject else "cancel"
 
     def recover(self, name: str, when: str) -> bool:
-        """Whether unsaved work that a crash left is wanted back."""
+        """Whether to restore unsaved changes after a crash."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
-            say(f"{name} has work that was not saved when the program ended."),
+            gettext("{project} has changes that were not saved when the program ended.",
+                    project=name),
             parent=self.parent,
         )  # fmt: skip
         box.setObjectName("recover_dialog")
         box.setInformativeText(
-            say(f"It was written down last on {when}. One undo step takes it back again.")
+            gettext(
+                "Last recorded: {when}. One undo step removes the restored changes.",
+                when=say(when),
+            )
         )
-        back = box.addButton(say("Restore"), QMessageBox.ButtonRole.AcceptRole)
-        box.addButton(say("Discard"), QMessageBox.ButtonRole.DestructiveRole)
-        return self._asked(box, back)
+        restore = box.addButton(gettext("Restore"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(gettext("Discard"), QMessageBox.ButtonRole.DestructiveRole)
+        return self._is_confirmed(box, restore)
 
     def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
         """Where the files of a project that was moved are now; None where it stays closed."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
-            say(f"{name} cannot find {counted(len(missing), 'file')} it was made from."),
+            gettext(
+                Plural(
+                    "{project}: {count:n} input file is missing.",
+                    "{project}: {count:n} input files are missing.",
+                ),
+                project=name, count=len(missing),
+            ),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("files_dialog")
-        shown = [str(path) for path in missing[:MOST_NAMED]]
-        more = len(missing) - len(shown)
-        box.setInformativeText(
-            "\n".join([*shown, *([say(f"and {more} more")] if more else []), "",
-                       say("Choose the folder that they are in now, or one above it.")])
-        )  # fmt: skip
-        choose = box.addButton(say("Choose the folder…"), QMessageBox.ButtonRole.AcceptRole)
-        if not self._asked(box, choose):
+        shown = [str(path) for path in missing[:MAX_NAMED]]
+        if more := len(missing) - len(shown):
+            shown.append(gettext(Plural("and {count:n} more", "and {count:n} more"), count=more))
+        advice = gettext("Choose the folder that now contains them, or a folder above it.")
+        box.setInformativeText("\n".join([*shown, "", advice]))
+        choose = box.addButton(gettext("Choose folder…"), QMessageBox.ButtonRole.AcceptRole)
+        if not self._is_confirmed(box, choose):
             return None
         folder = QFileDialog.getExistingDirectory(
-            self.parent, say("Folder with the files of the project"), str(start)
+            self.parent, gettext("Folder with the input files of the project"), str(start)
         )
         return Path(folder) if folder else None
 
     def open_elsewhere(self, name: str, where: str) -> bool:
-        """Whether a project that another window has is to be opened all the same."""
+        """Whether to open a project that is open in another window."""
         box = widgets.MessageBox(
-            QMessageBox.Icon.Warning, "LISPAC", say(f"{name} is open in another window already."),
+            QMessageBox.Icon.Warning, "LISPAC",
+            gettext("{project} is already open in another window.", project=name),
             parent=self.parent,
         )  # fmt: skip
         box.setObjectName("elsewhere_dialog")
-        box.setInformativeText(
-            say(
-                f"It is open in {where}. Of two windows the one that saves last overwrites "
-                "the other, and unsaved work of the second is not kept against a crash."
-            )
+        place = gettext("Open in: {place}.", place=say(where))
+        effect = gettext(
+            "The window that saves last overwrites the other. Unsaved changes of this window "
+            "cannot be restored after a crash."
         )
-        stay = box.addButton(say("Close it here"), QMessageBox.ButtonRole.RejectRole)
-        open_it = box.addButton(say("Open it all the same"), QMessageBox.ButtonRole.DestructiveRole)
+        box.setInformativeText(f"{place}\n{effect}")
+        stay = box.addButton(gettext("Do not open"), QMessageBox.ButtonRole.RejectRole)
+        open_it = box.addButton(gettext("Open anyway"), QMessageBox.ButtonRole.DestructiveRole)
         box.setDefaultButton(stay)
         box.setEscapeButton(stay)
-        return self._asked(box, open_it, default=stay)
+        return self._is_confirmed(box, open_it, default=stay)
 
     def overwrite(self, name: str) -> bool:
-        """Whether a project that somebody else wrote meanwhile is to be overwritten."""
+        """Whether to overwrite a project that another program has changed."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Warning, "LISPAC",
-            say(f"{name} was written by another program since it was opened here."),
+            gettext("{project} was changed by another program after it was opened.", project=name),
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("overwrite_dialog")
         box.setInformativeText(
-            say("Saving overwrites that. File > Save as… keeps both, in another folder.")
+            gettext(
+                "Overwriting discards these changes. To keep both, use File > Save as… with "
+                "another folder."
+            )
         )
-        anyway = box.addButton(say("Overwrite it"), QMessageBox.ButtonRole.DestructiveRole)
-        return self._asked(box, anyway, default=box.button(QMessageBox.StandardButton.Cancel))
+        anyway = box.addButton(gettext("Overwrite"), QMessageBox.ButtonRole.DestructiveRole)
+        cancel = box.button(QMessageBox.StandardButton.Cancel)
+        return self._is_confirmed(box, anyway, default=cancel)
 
     @staticmethod
     def leave(dialog: QWidget) -> bool:
-        """Whether a dialogue in which files were put is to be left without them."""
+        """Whether to close the import dialogue without importing its files."""
         box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say("Leave without these files?"), parent=dialog
-        )
+            QMessageBox.Icon.Question, "LISPAC", gettext("Close without importing the files?"),
+            parent=dialog,
+        )  # fmt: skip
         box.setObjectName("leave_dialog")
         box.setInformativeText(
-            say("What was set for them here is forgotten. The files themselves stay as they are.")
+            gettext("The settings made here are lost. The files are not changed.")
         )
-        stay = box.addButton(say("Stay here"), QMessageBox.ButtonRole.RejectRole)
-        leave = box.addButton(say("Leave"), QMessageBox.ButtonRole.DestructiveRole)
+        stay = box.addButton(gettext("Continue importing"), QMessageBox.ButtonRole.RejectRole)
+        leave = box.addButton(
+            gettext("Close without importing"), QMessageBox.ButtonRole.DestructiveRole
+        )
         box.setEscapeButton(stay)
-        return Questions._asked(box, leave, default=stay)
+        return Questions._is_confirmed(box, leave, default=stay)
 
     @staticmethod
-    def _asked(box: QMessageBox, yes: QPushButton, default: QPushButton | None = None) -> bool:
+    def _is_confirmed(
+        box: QMessageBox, yes: QPushButton, default: QPushButton | None = None
+    ) -> bool:
         box.setDefaultButton(default or yes)
         box.exec()
         chosen = box.clickedButton() is yes
@@ -183,7 +207,7 @@ class Questions:
         return chosen
 
     def show_error(self, error: BaseException) -> None:
-        """Say what went wrong; a second error while one is shown does not pile up."""
+        """Show an error, unless another one is being shown."""
         LOG.error(describe(error)[0], exc_info=None if isinstance(error, LispacError) else error)
         if self._error_open:
             return

@@ -1,4 +1,4 @@
-"""The script that makes the project again: to read, to copy and to save."""
+"""Dialogue with the script that reproduces the project."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -7,24 +7,25 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
+from lispac.language import N_, gettext
 
 if TYPE_CHECKING:
     from lispac.workflow.script import Script
 
-WORDS = (
-    "These steps make the project as it stands again from its raw files, in Python, with the same "
-    "numbers. They can be edited and run without the window."
+INTRODUCTION = N_(
+    "This Python script reproduces the project from its raw files, with the same numbers. It can "
+    "be edited and run without the window."
 )
 
 
 class ScriptDialog(QDialog):
-    """Shown until it is closed; nothing in it changes the project.
+    """Shows the script, to copy or to save; it does not change the project.
 
     Parameters
     ----------
-    save : asks where to, saves, and says where; empty where nothing was saved
+    save : asks for a file, saves, and returns a text about it; empty where nothing was saved
     """
 
     def __init__(
@@ -32,27 +33,27 @@ class ScriptDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("script_dialog")
-        self.setWindowTitle(say("Script of this project"))
+        self.setWindowTitle(gettext("Script of this project"))
         self._save = save
         layout = widgets.column(self, 16)
-        layout.addWidget(widgets.label(WORDS, wrap=True))
+        layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
         if script.remarks:
-            layout.addWidget(
-                widgets.label("\n".join(script.remarks), wrap=True, name="script_remarks")
-            )
+            remarks = widgets.label(wrap=True, name="script_remarks")
+            remarks.setText("\n".join(say_all(script.remarks)))
+            layout.addWidget(remarks)
         self.text = QPlainTextEdit(script.text)
         self.text.setObjectName("script_text")
-        self.text.setAccessibleName(say("Script"))
+        self.text.setAccessibleName(gettext("Script"))
         self.text.setReadOnly(True)
         self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         layout.addWidget(self.text, 1)
         self.said = widgets.label("", "muted", name="script_said")
-        copy = widgets.button("Copy", "script_copy", tip="Copy the script")
+        copy = widgets.button(gettext("Copy"), "script_copy", tip=gettext("Copy the script"))
         copy.clicked.connect(self._copy)
-        keep = widgets.button("Save…", "script_save", icon="content-save", primary=True)
+        keep = widgets.button(gettext("Save…"), "script_save", icon="content-save", primary=True)
         keep.clicked.connect(self._keep)
-        close = widgets.button("Close", "script_close")
+        close = widgets.button(gettext("Close"), "script_close")
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
         row.setSpacing(theme.SPACE)
@@ -67,8 +68,8 @@ class ScriptDialog(QDialog):
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text.toPlainText())
-        self.said.setText(say("The script is copied"))
+        self.said.setText(gettext("Script copied"))
 
     def _keep(self) -> None:
-        if said := self._save():
-            self.said.setText(say(said))
+        if text := self._save():
+            self.said.setText(say(text))

@@ -1,4 +1,4 @@
-"""A seed whose coordinates are typed."""
+"""Dialogue to seed a target at typed coordinates."""
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -6,19 +6,42 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWid
 
 from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
+from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say, say_sentences
+from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.project import Project, Triple, require_name
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.coordinates import away, axes_of, require_near
 
+AXES = {
+    "north": N_("North"), "west": N_("West"), "up": N_("Up"),
+    "longitude": N_("Longitude"), "latitude": N_("Latitude"), "height": N_("Height"),
+    "easting": N_("Easting"), "northing": N_("Northing"), "X": "X", "Y": "Y", "Z": "Z",
+}  # fmt: skip
+"""Labels of the coordinates, by their names in `axes_of`."""
+ON_ALL_LINES = {
+    "plane": N_("A plane target is searched for near these coordinates on all lines."),
+    "sphere": N_("A sphere target is searched for near these coordinates on all lines."),
+    "validation": N_("A validation plane is searched for near these coordinates on all lines."),
+}
+"""What the dialogue does, by shape of the target or role."""
+ON_ONE_LINE = {
+    "plane": N_("A plane target is searched for near these coordinates on line {line} only."),
+    "sphere": N_("A sphere target is searched for near these coordinates on line {line} only."),
+    "validation": N_(
+        "A validation plane is searched for near these coordinates on line {line} only."
+    ),
+}
+"""The same where the search is on one line."""
+
 
 class SeedDialog(QDialog):
-    """Name and coordinates; what is wrong with them is said while they are typed."""
+    """Fields for name and coordinates, checked while the user types."""
 
     def __init__(
         self,
@@ -30,24 +53,16 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle(say("Seed at coordinates"))
+        self.setWindowTitle(gettext("Seed at coordinates"))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._wishes = project, trajectory, wishes
         self._place: Triple | None = None
         layout = widgets.column(self, 16)
-        what = wishes.shape if wishes.role == "target" else "validation plane"
-        where = "on every line" if wishes.line is None else f"on {wishes.line} only"
-        layout.addWidget(
-            widgets.label(
-                f"The {what} at this place is searched for {where}, with search radius, threshold "
-                "and the rest as set in step 2. What is found is offered.",
-                wrap=True,
-            )
-        )
+        layout.addWidget(widgets.label(_introduction(wishes), wrap=True))
         self.name = QLineEdit(name)
         self.name.setObjectName("seed_name")
-        self.name.setToolTip(say("Name of the new target"))
-        # A sighting of its own for the selected target: its name is not to be chosen.
+        self.name.setToolTip(gettext("Name of the new target"))
+        # A sighting added to the selected target, whose name stays.
         self._added = wishes.line is not None and name == wishes.selected
         self.name.setEnabled(not self._added)
         self.choice = SystemChoice(project, trajectory, "seed", self)
@@ -55,7 +70,7 @@ class SeedDialog(QDialog):
         self._form = QFormLayout()
         self._form.setVerticalSpacing(theme.SPACE)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self._form.addRow(say("Name"), self.name)
+        self._form.addRow(gettext("Name"), self.name)
         self.choice.add_to(self._form)
         for field in self.fields:
             self._form.addRow(" ", field)
@@ -64,10 +79,10 @@ class SeedDialog(QDialog):
         self.said.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
         self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.said)
-        self.find_button = widgets.button("Find", "seed_find", primary=True)
+        self.find_button = widgets.button(gettext("Find"), "seed_find", primary=True)
         self.find_button.setDefault(True)
         self.find_button.clicked.connect(self.accept)
-        cancel = widgets.button("Cancel", "seed_cancel")
+        cancel = widgets.button(gettext("Cancel"), "seed_cancel")
         cancel.clicked.connect(self.reject)
         cancel.setAutoDefault(False)  # Enter finds, wherever the focus is
         row = QHBoxLayout()
@@ -102,15 +117,16 @@ class SeedDialog(QDialog):
         axes = axes_of(self.choice.system)
         units = ("°", "°", "m") if axes[0] == "longitude" else ("m", "m", "m")
         for field, axis, unit in zip(self.fields, axes, units, strict=True):
-            self._form.labelForField(field).setText(say(f"{axis[:1].upper()}{axis[1:]} ({unit})"))
-            field.setAccessibleName(say(f"{axis}, {unit}"))
+            name = f"{_axis_label(axis)} ({unit})"
+            self._form.labelForField(field).setText(name)
+            field.setAccessibleName(name)
         self._place = None
         role, text = "muted", ""
         if not self.choice.waiting:
             try:
                 text = self._meaning()
             except (InputError, ProjectError) as failure:
-                role, text = "error", say(str(failure))
+                role, text = "error", error_text(failure)
         self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
@@ -118,13 +134,14 @@ class SeedDialog(QDialog):
         self.find_button.setEnabled(self._place is not None)
 
     def _meaning(self) -> str:
-        """What is typed, in words; sets the place where all is there.
+        """Describe what is typed, and set the place where it is complete.
 
         Raises
         ------
         InputError
+            Where a coordinate is no number, the system is unknown or the place is too far away.
         ProjectError
-            With what is wrong.
+            Where the name cannot be used.
         """
         if self.choice.problem is not None:
             raise InputError(self.choice.problem.reason)
@@ -146,26 +163,43 @@ class SeedDialog(QDialog):
             field.style().polish(field)
         for field, axis, value in zip(self.fields, axes, values, strict=True):
             if value is None and field.text().strip():
-                title = say(f"{axis[:1].upper()}{axis[1:]}")
-                raise InputError(
-                    error("window.not_a_number", field=title, text=field.text().strip())
-                )
+                label, text = _axis_label(axis), field.text().strip()
+                raise InputError(error("window.not_a_number", field=label, text=text))
         point = np.array([value for value in values if value is not None])
         if len(point) < 3:
-            missing = [axis for axis, value in zip(axes, values, strict=True) if value is None]
-            return say(f"Still to be given: {', '.join(missing)}.")
+            pairs = zip(axes, values, strict=True)
+            missing = [_axis_label(axis) for axis, value in pairs if value is None]
+            return gettext("Enter {coordinates:names}.", coordinates=missing)
         place = require_near(point, system, self._trajectory, name)
         self._place = (float(place[0]), float(place[1]), float(place[2]))
         distance = float(away(place[None], self._trajectory)[0])
-        words = say(f"{distance:,.1f} m from the trajectory.")
-        if system is not None:
-            north, west, up = place
-            words = say(
-                f"In the local frame {north:.3f} m north, {west:.3f} m west, {up:.3f} m up; "
-                f"{distance:,.1f} m from the trajectory."
-            )
-            words = " ".join([words, *say_sentences(system.assumptions)])
-        return words
+        if system is None:
+            return gettext("Distance from the trajectory: {distance:m.1} m.", distance=distance)
+        north, west, up = self._place
+        text = gettext(
+            "Local frame: north {north:m.3} m, west {west:m.3} m, up {up:m.3} m. Distance from "
+            "the trajectory: {distance:m.1} m.",
+            north=north, west=west, up=up, distance=distance,
+        )  # fmt: skip
+        return " ".join([text, *say_sentences(system.assumptions)])
+
+
+def _introduction(wishes: Wishes) -> str:
+    """What the dialogue does with the seed."""
+    kind = wishes.shape if wishes.role == "target" else "validation"
+    if wishes.line is None:
+        first = gettext(ON_ALL_LINES[kind])
+    else:
+        first = gettext(ON_ONE_LINE[kind], line=wishes.line)
+    second = gettext(
+        "The settings of step 2 apply (search radius, threshold and others). The result is shown "
+        "before it is added."
+    )
+    return f"{first}\n{second}"
+
+
+def _axis_label(axis: str) -> str:
+    return gettext(AXES[axis])
 
 
 def _field(name: str) -> QLineEdit:
@@ -173,5 +207,5 @@ def _field(name: str) -> QLineEdit:
     field.setObjectName(name)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     field.setFont(theme.tabular(field.font()))
-    field.setToolTip(say("Paste three numbers at once into the first field to fill all three"))
+    field.setToolTip(gettext("Paste three numbers into the first field to fill all three"))
     return field

@@ -1,4 +1,4 @@
-"""Seeds from a list of coordinates: what is read before, and what was found after."""
+"""Dialogues for seeds from a list of coordinates: the list before, the result after."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,22 +19,27 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import LispacError
 from lispac.gui import theme
+from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say, say_all, say_sentences
+from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
-from lispac.project import Project, Role
+from lispac.language import N_, Plural, gettext, number
+from lispac.project import Project, Role, Target
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.coordinates import away
 from lispac.workflow.seed_lists import ListedSeed, Outcome, SeedList, read_seeds
 
-ROLES: dict[Role, str] = {"target": "Target", "validation": "Validation plane"}
-READ = ("Name", "Role", "North (m)", "West (m)", "Up (m)", "Off the track (m)", "Remark")
-FOUND = ("Name", "Role", "Lines", "Points", "Remark")
+ROLES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
+READ = (
+    N_("Name"), N_("Role"), N_("North (m)"), N_("West (m)"), N_("Up (m)"),
+    N_("Distance from trajectory (m)"), N_("Remark"),
+)  # fmt: skip
+FOUND = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Remark"))
 Right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class SeedListDialog(QDialog):
-    """Shows what is read from a list, to be ticked in; nothing is sought before that."""
+    """Shows the seeds of a list, from which the user ticks those to pick."""
 
     def __init__(
         self,
@@ -46,35 +51,36 @@ class SeedListDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_list_dialog")
-        self.setWindowTitle(say(f"Seeds from {path.name}"))
+        self.setWindowTitle(gettext("Seeds from {file}", file=path.name))
         self.resize(900, 560)
         self._path, self._project, self._trajectory = path, project, trajectory
         self._read: SeedList | None = None
         layout = widgets.column(self, 16)
-        layout.addWidget(
-            widgets.label(
-                f"{how} The role is that of the list, or goes by the name: what begins with V is a "
-                "validation plane.",
-                wrap=True,
-            )
+        introduction = widgets.label(wrap=True)
+        roles = gettext(
+            "Roles not given in the list follow the names: names beginning with V are validation "
+            "planes, all others are targets."
         )
+        introduction.setText(f"{say(how)}\n{roles}")
+        layout.addWidget(introduction)
         self.columns = QLineEdit()
         self.columns.setObjectName("list_columns")
         self.columns.setToolTip(
-            say(
-                "What the columns hold, from the left: name, x, y, z, role, and - for one "
-                "that is not "
-                "used. Empty: as the file names them, else in that order"
+            gettext(
+                "Columns from left to right: name, x, y, z, role, and - for a column that is not "
+                "used. If empty, the names in the file apply, otherwise this order"
             )
         )
-        self.columns.setPlaceholderText(say("As the file names them, else name, x, y, z, role"))
+        self.columns.setPlaceholderText(
+            gettext("As named in the file, otherwise name, x, y, z, role")
+        )
         self.choice = SystemChoice(project, trajectory, "list", self)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
-        form.addRow(say("Columns"), self.columns)
+        form.addRow(gettext("Columns"), self.columns)
         self.choice.add_to(form)
         layout.addLayout(form)
-        self.table = _table("seed_list_table", "Seeds that were read", READ)
+        self.table = _table("seed_list_table", gettext("Seeds of the list"), READ)
         self.table.itemChanged.connect(lambda _item: self._count())
         layout.addWidget(self.table, 1)
         self.said = widgets.label("", "muted", wrap=True, name="list_said")
@@ -82,7 +88,7 @@ class SeedListDialog(QDialog):
         self.pick_button = widgets.button("", "pick_list", primary=True)
         self.pick_button.setDefault(True)
         self.pick_button.clicked.connect(self.accept)
-        cancel = widgets.button("Cancel", "cancel_list", tip="Pick nothing")
+        cancel = widgets.button(gettext("Cancel"), "cancel_list", tip=gettext("Pick nothing"))
         cancel.clicked.connect(self.reject)
         cancel.setAutoDefault(False)  # Enter picks, wherever the focus is
         row = QHBoxLayout()
@@ -96,7 +102,7 @@ class SeedListDialog(QDialog):
 
     @property
     def ticked(self) -> tuple[ListedSeed, ...]:
-        """Seeds that are to be picked."""
+        """Seeds chosen to be picked."""
         seeds = () if self._read is None else self._read.seeds
         checked = Qt.CheckState.Checked
         return tuple(
@@ -106,13 +112,13 @@ class SeedListDialog(QDialog):
         )
 
     def _look(self) -> None:
-        """Read the list as the fields say."""
+        """Read the list with the columns and the system of the fields."""
         self._read, role = None, "error"
         columns = self.columns.text().replace(",", " ").split()
         if self.choice.waiting:
             role, text = "muted", ""
         elif self.choice.problem is not None:
-            text = say(str(self.choice.problem))
+            text = error_text(self.choice.problem)
         else:
             try:
                 self._read = read_seeds(
@@ -120,7 +126,7 @@ class SeedListDialog(QDialog):
                 )
                 role, text = "muted", " ".join(say_sentences(self._read.notes))
             except LispacError as error:
-                text = say(str(error))
+                text = error_text(error)
         self.said.setText(text)
         self.said.setProperty("role", role)
         self.said.style().unpolish(self.said)
@@ -137,51 +143,50 @@ class SeedListDialog(QDialog):
             name = _name(seed.name, seed.role)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Unchecked if seed.taken else Qt.CheckState.Checked)
-            name.setToolTip(say(f"Row {seed.row} of the list; untick to leave it out"))
-            numbers = [f"{value:.3f}" for value in seed.place] + [f"{distances[row]:.1f}"]
-            remark = "Picked already; tick to replace" if seed.taken else ""
-            _set_row(self.table, row, name, ROLES[seed.role], numbers, remark)
+            name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
+            numbers = [*(number(each, 3) for each in seed.place), number(distances[row], 1)]
+            remark = gettext("Already picked; tick to replace") if seed.taken else ""
+            _set_row(self.table, row, name, seed.role, numbers, remark)
         self.table.blockSignals(False)
         self._count()
 
     def _count(self) -> None:
-        count = len(self.ticked)
-        rows = self.table.rowCount()
-        self.pick_button.setText(say(f"Pick {count} of {rows}" if rows else "Pick"))
-        self.pick_button.setEnabled(count > 0)
+        ticked, rows = len(self.ticked), self.table.rowCount()
+        self.pick_button.setText(
+            gettext("Pick {ticked:n} of {total:n}", ticked=ticked, total=rows)
+            if rows
+            else gettext("Pick")
+        )
+        self.pick_button.setEnabled(ticked > 0)
 
 
 class SeedsFoundDialog(QDialog):
-    """What came of the seeds of a list."""
+    """Shows which seeds of a list led to a target."""
 
     def __init__(self, outcomes: Sequence[Outcome], lines: int, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.setObjectName("seeds_found_dialog")
-        self.setWindowTitle(say("Seeds picked"))
+        self.setWindowTitle(gettext("Seeds picked"))
         self.resize(860, 520)
-        found = [outcome for outcome in outcomes if outcome.target is not None]
-        text = f"{len(found)} of {len(outcomes)} seeds led to a target."
-        if found:
-            text += " One undo step takes all of them back."
         layout = widgets.column(self, 16)
-        layout.addWidget(widgets.label(text, wrap=True, name="seeds_found"))
-        self.table = _table("seeds_found_table", "What was found", FOUND)
+        layout.addWidget(widgets.label(_summary(outcomes), wrap=True, name="seeds_found"))
+        self.table = _table("seeds_found_table", gettext("Targets found"), FOUND)
         self.table.setRowCount(len(outcomes))
         for row, outcome in enumerate(outcomes):
             seed, target = outcome.seed, outcome.target
             if target is None:
-                numbers, remarks = ["none", ""], [outcome.reason]
+                numbers, remarks = [gettext("none"), ""], [say(outcome.reason)]
             else:
                 points = sum(len(sighting.indices) for sighting in target.sightings)
-                numbers = [f"{len(target.sightings)} of {lines}", f"{points:,}"]
-                missing = [f"Not on {line}: {why}" for line, why in target.missing.items()]
-                remarks = [outcome.reason, *missing]
+                seen = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
+                numbers = [seen, number(points)]
+                remarks = [say(outcome.reason), *_missing(target)]
             _set_row(
-                self.table, row, _name(seed.name, seed.role), ROLES[seed.role], numbers,
+                self.table, row, _name(seed.name, seed.role), seed.role, numbers,
                 "\n".join(remark for remark in remarks if remark),
             )  # fmt: skip
         layout.addWidget(self.table, 1)
-        close = widgets.button("Close", "close_found", primary=True)
+        close = widgets.button(gettext("Close"), "close_found", primary=True)
         close.setDefault(True)
         close.clicked.connect(self.accept)
         row_of_buttons = QHBoxLayout()
@@ -190,12 +195,40 @@ class SeedsFoundDialog(QDialog):
         layout.addLayout(row_of_buttons)
 
 
-def _table(name: str, words: str, heads: Sequence[str]) -> QTableWidget:
+def _summary(outcomes: Sequence[Outcome]) -> str:
+    """How many seeds led to a target, and how to undo that."""
+    found, total = sum(outcome.target is not None for outcome in outcomes), len(outcomes)
+    if not found:
+        return gettext(
+            Plural(
+                "No target was found at the seed.", "No target was found at any of {count:n} seeds."
+            ),
+            count=total,
+        )
+    return gettext(
+        Plural(
+            "Targets found: {found:n}, from {count:n} seed. One undo step removes it.",
+            "Targets found: {found:n}, from {count:n} seeds. One undo step removes them all.",
+        ),
+        found=found,
+        count=total,
+    )
+
+
+def _missing(target: Target) -> list[str]:
+    """Lines on which a target was not found, with the reasons."""
+    return [
+        gettext("Not on {line}: {reason}", line=line, reason=say(reason))
+        for line, reason in target.missing.items()
+    ]
+
+
+def _table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
     table = QTableWidget(0, len(heads))
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
-    table.setAccessibleName(say(words))
-    table.setHorizontalHeaderLabels(say_all(list(heads)))
+    table.setAccessibleName(title)
+    table.setHorizontalHeaderLabels([gettext(head) for head in heads])
     header = table.horizontalHeader()
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     for column in range(2, len(heads) - 1):
@@ -218,14 +251,14 @@ def _name(name: str, role: Role) -> QTableWidgetItem:
 
 
 def _set_row(
-    table: QTableWidget, row: int, name: QTableWidgetItem, role: str, numbers: Sequence[str],
+    table: QTableWidget, row: int, name: QTableWidgetItem, role: Role, numbers: Sequence[str],
     remark: str,
 ) -> None:  # fmt: skip
-    items = [QTableWidgetItem(say(number)) for number in numbers]
+    items = [QTableWidgetItem(text) for text in numbers]
     for item in items:
         item.setTextAlignment(Right)
         item.setFont(theme.tabular(table.font()))
-    last = QTableWidgetItem(say(remark))
-    last.setToolTip(widgets.plain_tip(say(remark)))
-    for column, item in enumerate((name, QTableWidgetItem(say(role)), *items, last)):
+    last = QTableWidgetItem(remark)
+    last.setToolTip(widgets.plain_tip(remark))
+    for column, item in enumerate((name, QTableWidgetItem(gettext(ROLES[role])), *items, last)):
         table.setItem(row, column, item)

@@ -1,4 +1,4 @@
-"""One's own scanner or INS/GNSS: figures and where they are from."""
+"""Dialogue for a user-defined scanner or INS/GNSS: specifications and their source."""
 
 from pathlib import Path
 
@@ -8,43 +8,49 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QFormLayout, QHBoxLayout, QLin
 
 from lispac.errors import InputError
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
-from lispac.gui.language import say
+from lispac.gui.dialogs.error import error_text
 from lispac.gui.panels import widgets
 from lispac.io.sensor_file import STATES, Figures, PosFigures, PosState, ScannerFigures
+from lispac.language import N_, gettext
 from lispac.workflow.sensors import keep, require_sound
 
 NEW_SCANNER = ScannerFigures("", 0.005, 0.01, 0.5, "")
 NEW_POS = PosFigures("", (PosState("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))
+WITH_SOLUTION = {
+    "rtk": N_("With RTK"),
+    "ppk": N_("With PPK"),
+    "degraded": N_("With degraded GNSS"),
+}
+"""Labels of the GNSS solutions."""
 
 
 class _Line(QLineEdit):
-    """A line of words."""
+    """A line of text that tells when it loses the focus."""
 
     left = Signal()
-    """By the focus; Qt's own signal tells of edited ones only."""
+    """The focus has left the field, whether or not it was edited."""
 
-    def __init__(self, name: str, what: str, text: str) -> None:
+    def __init__(self, name: str, label: str, text: str) -> None:
         super().__init__(text)
         self.setObjectName(name)
         self.setCursorPosition(0)
-        self.setAccessibleName(say(what))
+        self.setAccessibleName(label)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Also where nothing was typed."""
+        """Emit `left`."""
         super().focusOutEvent(event)
         self.left.emit()
 
 
 class SensorEditor(QDialog):
-    """Judges what is typed while it is typed; kept as a file.
+    """Checks the specifications while the user types, and writes them to a file.
 
-    That something is not filled in yet is said once it was left so, or is to be kept.
+    An empty field is reported after the focus has left it, or when the sensor is to be saved.
 
     Parameters
     ----------
     folder : of the user's own sensors
-    figures : to begin with
+    figures : initial specifications
     name : of the user's sensor that is edited; empty for a new one
     """
 
@@ -54,17 +60,17 @@ class SensorEditor(QDialog):
         super().__init__(parent)
         self._folder, self.name = folder, name
         self._left: set[_Line] = set()
-        """Where the user was."""
+        """Fields that had the focus."""
         self.setObjectName("sensor_editor")
         scanner = isinstance(figures, ScannerFigures)
-        self.setWindowTitle(say("Scanner" if scanner else "INS/GNSS"))
+        self.setWindowTitle(gettext("Scanner") if scanner else gettext("INS/GNSS"))
         self.setMinimumWidth(620)
         layout = widgets.column(self, 16)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self.title = _Line("sensor_title", "Maker and model", figures.title)
-        form.addRow(say("Maker and model"), self.title)
+        self.title = _Line("sensor_title", gettext("Maker and model"), figures.title)
+        form.addRow(gettext("Maker and model"), self.title)
         self.parts: list[_ScannerPart | _StatePart]
         if isinstance(figures, ScannerFigures):
             self.parts = [_ScannerPart(figures, form)]
@@ -74,9 +80,9 @@ class SensorEditor(QDialog):
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="sensor_editor_said")
         layout.addWidget(self.said)
-        self.keep = widgets.button("OK", "sensor_keep", primary=True)
+        self.keep = widgets.button(gettext("OK"), "sensor_keep", primary=True)
         self.keep.setDefault(True)
-        cancel = widgets.button("Cancel", "sensor_cancel")
+        cancel = widgets.button(gettext("Cancel"), "sensor_cancel")
         cancel.setAutoDefault(False)
         row = QHBoxLayout()
         row.addStretch(1)
@@ -94,7 +100,7 @@ class SensorEditor(QDialog):
 
     @property
     def figures(self) -> Figures:
-        """What the fields say."""
+        """Specifications from the fields."""
         title = self.title.text().strip()
         if isinstance(self.parts[0], _ScannerPart):
             return self.parts[0].figures(title)
@@ -107,7 +113,7 @@ class SensorEditor(QDialog):
 
     @property
     def _empty(self) -> _Line | None:
-        """The first that is to be filled in."""
+        """The first required field that is empty."""
         lines = (line for line in self._lines if line.isEnabled())
         return next((line for line in lines if not line.text().strip()), None)
 
@@ -118,13 +124,13 @@ class SensorEditor(QDialog):
     def _judge(self, *_: object) -> None:
         try:
             require_sound(self._folder, self.figures, self.name)
-            wrong = ""
+            problem = ""
         except InputError as error:
-            wrong = str(error)
+            problem = error_text(error)
         if self._empty is not None and self._empty not in self._left:
-            wrong = ""  # the user is on the way there
-        self.said.setText(say(wrong))
-        self.keep.setEnabled(not wrong)
+            problem = ""  # the user has not reached this field yet
+        self.said.setText(problem)
+        self.keep.setEnabled(not problem)
 
     def _keep(self) -> None:
         if self._empty is not None:
@@ -135,22 +141,24 @@ class SensorEditor(QDialog):
         try:
             self.name = keep(self._folder, self.figures, self.name)
         except InputError as error:
-            self.said.setText(say(str(error)))
+            self.said.setText(error_text(error))
         else:
             self.accept()
 
 
 class _Origin(QWidget):
-    """Where figures come from, and whether they were held against it."""
+    """Source of the specifications, and whether they were checked against it."""
 
     def __init__(self, name: str, source: str, from_memory: bool) -> None:
         super().__init__()
-        self.source = _Line(f"{name}_source", "Where the figures come from", source)
-        self.source.setPlaceholderText(say("Data sheet, with its date"))
-        self.from_memory = QCheckBox(say("From memory"))
+        self.source = _Line(f"{name}_source", gettext("Source of the specifications"), source)
+        self.source.setPlaceholderText(gettext("Data sheet and its date"))
+        self.from_memory = QCheckBox(gettext("Not verified"))
         self.from_memory.setObjectName(f"{name}_from_memory")
         self.from_memory.setChecked(from_memory)
-        self.from_memory.setToolTip(say("Nobody has held the figures against the data sheet"))
+        self.from_memory.setToolTip(
+            gettext("The specifications have not been checked against the data sheet")
+        )
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.source, 1)
@@ -161,25 +169,25 @@ class _ScannerPart:
     def __init__(self, given: ScannerFigures, form: QFormLayout) -> None:
         self.range = widgets.number(
             "sensor_range", suffix=" mm", decimals=2, low=0.01, high=10_000, step=0.5,
-            tip="Standard deviation of the range, millimetres",
+            tip=gettext("Standard deviation of the range, millimetres"),
         )  # fmt: skip
         self.angle = widgets.number(
             "sensor_angle", suffix=" °", decimals=4, low=0.0001, high=10, step=0.001,
-            tip="Standard deviation of the beam's direction, both ways across it, degrees",
+            tip=gettext("Standard deviation of the beam direction in each axis across it, degrees"),
         )  # fmt: skip
         self.beam = widgets.number(
             "sensor_beam", suffix=" mrad", decimals=2, low=0, high=100, step=0.1,
-            tip="How far the beam spreads, full angle in milliradians",
+            tip=gettext("Beam divergence, full angle, milliradians"),
         )  # fmt: skip
         self.range.setValue(1000 * given.range_sigma)
         self.angle.setValue(given.angle_sigma_deg)
         self.beam.setValue(given.divergence_mrad)
         self.origin = _Origin("sensor", given.source, given.from_memory)
         self.moved = self.range.valueChanged
-        form.addRow(say("Range (1 σ)"), self.range)
-        form.addRow(say("Beam angular noise (1 σ)"), self.angle)
-        form.addRow(say("Divergence"), self.beam)
-        form.addRow(say("Source"), self.origin)
+        form.addRow(gettext("Range (1 σ)"), self.range)
+        form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
+        form.addRow(gettext("Beam divergence"), self.beam)
+        form.addRow(gettext("Source"), self.origin)
 
     def figures(self, title: str) -> ScannerFigures:
         return ScannerFigures(
@@ -192,14 +200,14 @@ class _StatePart:
     def __init__(self, name: str, given: PosState | None, form: QFormLayout) -> None:
         self._name = name
         usual = given or NEW_POS.states[0]
-        self.stated = QCheckBox(say(f"With {SOLUTIONS[name]}"))
+        self.stated = QCheckBox(gettext(WITH_SOLUTION[name]))
         self.stated.setObjectName(f"sensor_{name}")
         self.position = widgets.Triple(
-            ("North", "East", "Down"),
+            (gettext("North"), gettext("East"), gettext("Down")),
             [_sigma(f"sensor_{name}_{axis}", " m", 100) for axis in ("n", "e", "d")],
         )
         self.attitude = widgets.Triple(
-            ("Roll", "Pitch", "Heading"),
+            (gettext("Roll"), gettext("Pitch"), gettext("Heading")),
             [_sigma(f"sensor_{name}_{angle}", " °", 90) for angle in ("roll", "pitch", "heading")],
         )
         self.position.set_value(usual.position_sigma)
@@ -209,9 +217,9 @@ class _StatePart:
         )
         self.moved = self.stated.toggled
         form.addRow(self.stated)
-        form.addRow(say("Position (1 σ)"), self.position)
-        form.addRow(say("Attitude (1 σ)"), self.attitude)
-        form.addRow(say("Source"), self.origin)
+        form.addRow(gettext("Position (1 σ)"), self.position)
+        form.addRow(gettext("Attitude (1 σ)"), self.attitude)
+        form.addRow(gettext("Source"), self.origin)
         for each in (self.position, self.attitude, self.origin):
             self.stated.toggled.connect(each.setEnabled)
             each.setEnabled(False)

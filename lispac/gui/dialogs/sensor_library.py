@@ -1,5 +1,6 @@
-"""The library of sensors: all of them in a table with their sources, and one's own to edit."""
+"""Page with the library of sensors: specifications, sources, and editing of own sensors."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,19 +18,24 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import units
-from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
+from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS, source_text
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
-from lispac.gui.language import say, say_all
+from lispac.gui.language import local_number, say
 from lispac.gui.panels import widgets
+from lispac.gui.units import Base
 from lispac.io.sensor_file import Figures, PosFigures, PosState, ScannerFigures
-from lispac.workflow.sensors import LONGEST, Sensor, library, origin_of, remove
+from lispac.language import N_, gettext
+from lispac.workflow.sensors import LONGEST, Sensor, library, remove
 
-HEADS = ("Sensor", "1 σ", "Source")
+HEADS = (N_("Sensor"), N_("1 σ"), N_("Source"))
 AnySensor = Sensor[ScannerFigures] | Sensor[PosFigures]
 
 
 class SensorLibraryPage(QWidget):
-    """Adds, copies, edits and removes at once: each sensor is a file.
+    """Table of sensors and buttons to add, copy, edit and remove own ones.
+
+    Each own sensor is a file, which is written at once.
 
     Parameters
     ----------
@@ -45,16 +51,19 @@ class SensorLibraryPage(QWidget):
         layout = widgets.column(self, 12)
         layout.addWidget(
             widgets.label(
-                "What makers state of their instruments, one standard deviation. Where it says so, "
-                "hold the figures against the data sheet of yours.",
-                "muted", wrap=True,
+                gettext(
+                    "Standard deviations as specified by the makers. Check those marked as not "
+                    "verified against the data sheet of your instrument."
+                ),
+                "muted",
+                wrap=True,
             )
-        )  # fmt: skip
+        )
         self.table = QTableWidget(0, len(HEADS))
         self.table.setTabKeyNavigation(False)
         self.table.setObjectName("sensor_table")
-        self.table.setAccessibleName(say("Sensors"))
-        self.table.setHorizontalHeaderLabels(say_all(HEADS))
+        self.table.setAccessibleName(gettext("Sensors"))
+        self.table.setHorizontalHeaderLabels([gettext(head) for head in HEADS])
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -92,13 +101,19 @@ class SensorLibraryPage(QWidget):
         return self.current is not None and self.current.own
 
     def _buttons(self) -> QHBoxLayout:
-        self.add_scanner = widgets.button("Add scanner…", "sensor_add_scanner")
-        self.add_pos = widgets.button("Add INS/GNSS…", "sensor_add_pos")
+        self.add_scanner = widgets.button(gettext("Add scanner…"), "sensor_add_scanner")
+        self.add_pos = widgets.button(gettext("Add INS/GNSS…"), "sensor_add_pos")
         self.copy = widgets.button(
-            "Copy…", "sensor_copy", tip="A sensor of your own that begins with these figures"
+            gettext("Copy…"), "sensor_copy",
+            tip=gettext("Create an own sensor with these specifications"),
+        )  # fmt: skip
+        self.edit = widgets.button(
+            gettext("Edit…"), "sensor_edit",
+            tip=gettext("Edit an own sensor; others can be copied"),
+        )  # fmt: skip
+        self.remove = widgets.button(
+            gettext("Remove…"), "sensor_remove", tip=gettext("Remove an own sensor")
         )
-        self.edit = widgets.button("Edit…", "sensor_edit", tip="Your own only; copy the others")
-        self.remove = widgets.button("Remove…", "sensor_remove", tip="Your own only")
         row = QHBoxLayout()
         for each, slot in (
             (self.add_scanner, lambda: self._ask(NEW_SCANNER)),
@@ -120,8 +135,10 @@ class SensorLibraryPage(QWidget):
         self.said.setVisible(bool(found.remarks))
         self.table.setRowCount(len(self._sensors))
         for row, sensor in enumerate(self._sensors):
-            sigmas, source = told(sensor.figures)
-            title = sensor.figures.title + (say(" (your own)") if sensor.own else "")
+            sigmas, source = describe(sensor.figures)
+            title = sensor.figures.title
+            if sensor.own:
+                title = gettext("{sensor} (own)", sensor=title)
             for column, text in enumerate((title, sigmas, source)):
                 item = QTableWidgetItem(text)
                 item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
@@ -138,8 +155,9 @@ class SensorLibraryPage(QWidget):
     def _copy(self) -> None:
         if self.current is not None:
             figures = self.current.figures
-            ending = say(" (own)")
-            self._ask(replace(figures, title=figures.title[: LONGEST - len(ending)] + ending))
+            excess = max(len(gettext("{sensor} (own)", sensor=figures.title)) - LONGEST, 0)
+            title = figures.title[: len(figures.title) - excess]
+            self._ask(replace(figures, title=gettext("{sensor} (own)", sensor=title)))
 
     def _edit(self) -> None:
         if self.current is not None:
@@ -151,7 +169,7 @@ class SensorLibraryPage(QWidget):
         try:
             remove(self._folder, self.current)
         except InputError as error:
-            self.said.setText(say(str(error)))
+            self.said.setText(error_text(error))
             self.said.show()
             return
         row = self.table.currentRow()
@@ -162,17 +180,18 @@ class SensorLibraryPage(QWidget):
 
     def _sure(self, title: str) -> bool:
         box = widgets.MessageBox(
-            QMessageBox.Icon.Question, "LISPAC", say(f"Remove {title} from the library?"),
+            QMessageBox.Icon.Question, "LISPAC",
+            gettext("Remove {sensor} from the library?", sensor=title),
             QMessageBox.StandardButton.Cancel, self,
         )  # fmt: skip
         box.setObjectName("remove_sensor")
         box.setInformativeText(
-            say(
-                "Its figures go for good, also where the settings are cancelled. "
-                "Projects keep theirs."
+            gettext(
+                "This cannot be undone, even by cancelling the settings. Projects that use the "
+                "sensor keep its specifications."
             )
         )
-        sure = box.addButton(say("Remove"), QMessageBox.ButtonRole.DestructiveRole)
+        sure = box.addButton(gettext("Remove"), QMessageBox.ButtonRole.DestructiveRole)
         box.setDefaultButton(QMessageBox.StandardButton.Cancel)
         box.exec()
         chosen = box.clickedButton()
@@ -187,32 +206,35 @@ class SensorLibraryPage(QWidget):
         editor.deleteLater()
 
 
-def told(figures: Figures) -> tuple[str, str]:
-    """The sigmas and where they are from, a line for each GNSS solution."""
+def describe(figures: Figures) -> tuple[str, str]:
+    """Standard deviations and their source, a line for each GNSS solution."""
     if isinstance(figures, ScannerFigures):
-        return (
-            units.signs(
-                say(
-                    f"range {units.figure(1000 * figures.range_sigma, 'mm', '.1f')} mm, direction "
-                    f"{units.figure(figures.angle_sigma_deg, '°', '.4f')}°, "
-                    f"beam {figures.divergence_mrad:.2f} mrad"
-                ),
-                "mm",
-                "°",
-            ),
-            origin_of(figures, say),
+        text = gettext(
+            "range {range}, direction {direction}, divergence {divergence:x.2} mrad",
+            range=_amounts([1000 * figures.range_sigma], "mm", ".1f"),
+            direction=_amounts([figures.angle_sigma_deg], "°", ".4f"),
+            divergence=figures.divergence_mrad,
         )
-    return (
-        "\n".join(f"{say(SOLUTIONS[each.name])}: {_sigmas(each)}" for each in figures.states),
-        "\n".join(
-            f"{say(SOLUTIONS[each.name])}: {origin_of(each, say)}" for each in figures.states
-        ),
-    )
+        return text, source_text(figures)
+    named = [(gettext(SOLUTIONS[each.name]), each) for each in figures.states]
+    sigmas = [
+        gettext("{solution}: {text}", solution=solution, text=_sigmas(state))
+        for solution, state in named
+    ]
+    sources = [
+        gettext("{solution}: {text}", solution=solution, text=source_text(state))
+        for solution, state in named
+    ]
+    return "\n".join(sigmas), "\n".join(sources)
 
 
 def _sigmas(state: PosState) -> str:
-    position = " / ".join(say(units.figure(value, "m", ".3f")) for value in state.position_sigma)
-    attitude = " / ".join(
-        say(units.figure(value, "°", ".3f")) for value in state.attitude_sigma_deg
-    )
-    return units.signs(f"{position} m, {attitude}°", "m", "°")
+    position = _amounts(state.position_sigma, "m", ".3f")
+    return f"{position}, {_amounts(state.attitude_sigma_deg, '°', '.3f')}"
+
+
+def _amounts(values: Sequence[float], base: Base, form: str) -> str:
+    """Values in the unit that the user has chosen: ``0.010 / 0.010 / 0.020 m``."""
+    sign = units.unit(base).sign
+    text = " / ".join(local_number(units.figure(value, base, form)) for value in values)
+    return text + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

@@ -1,4 +1,4 @@
-"""Which sensors of the library a plan is sailed with."""
+"""Dialogue to choose the sensors of a survey plan from the library."""
 
 from pathlib import Path
 
@@ -6,16 +6,16 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.io.sensor_file import PosState, ScannerFigures
+from lispac.language import gettext
 from lispac.workflow.sensors import library
 
 Sensors = tuple[ScannerFigures | None, PosState | None]
 
 
 class SensorsDialog(QDialog):
-    """Scanner and INS/GNSS; what is not chosen stays as the plan has it.
+    """Choice of scanner and INS/GNSS; the plan keeps its values where none is chosen.
 
     Parameters
     ----------
@@ -25,14 +25,17 @@ class SensorsDialog(QDialog):
     def __init__(self, folder: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("plan_sensors")
-        self.setWindowTitle(say("Sensors of the plan"))
+        self.setWindowTitle(gettext("Sensors of the plan"))
         self.setMinimumWidth(520)
         self._scanner: ScannerFigures | None = None
         self._pos: PosState | None = None
         layout = widgets.column(self, 16)
         layout.addWidget(
             widgets.label(
-                "The sigmas of what is chosen go into the plan; what is not chosen stays as it is.",
+                gettext(
+                    "The standard deviations of the chosen sensors are entered in the plan. Where "
+                    "none is chosen, the values of the plan are kept."
+                ),
                 wrap=True,
             )
         )
@@ -41,15 +44,15 @@ class SensorsDialog(QDialog):
         self.choice.pos_chosen.connect(self._take_pos)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
-        form.addRow(say("Scanner"), self.choice.scanner)
+        form.addRow(gettext("Scanner"), self.choice.scanner)
         form.addRow("", self.choice.scanner_origin)
-        form.addRow(say("INS/GNSS"), self.choice.pos)
+        form.addRow(gettext("INS/GNSS"), self.choice.pos)
         form.addRow("", self.choice.pos_origin)
         layout.addLayout(form)
-        self.take = widgets.button("Take", "plan_sensors_take", primary=True)
+        self.take = widgets.button(gettext("Use sensors"), "plan_sensors_take", primary=True)
         self.take.setDefault(True)
         self.take.clicked.connect(self.accept)
-        cancel = widgets.button("Cancel", "plan_sensors_cancel")
+        cancel = widgets.button(gettext("Cancel"), "plan_sensors_cancel")
         cancel.setAutoDefault(False)
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
@@ -60,7 +63,7 @@ class SensorsDialog(QDialog):
 
     @property
     def sensors(self) -> Sensors:
-        """What is chosen; None for what stays."""
+        """The chosen sensors; None where the plan keeps its values."""
         scanner, pos = self.choice.names
         return (self._scanner if scanner else None, self._pos if pos else None)
 

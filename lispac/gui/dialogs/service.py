@@ -1,7 +1,4 @@
-"""Every question the window asks in a dialogue, in one place.
-
-The window gets such an object; a test gives it one that answers by itself.
-"""
+"""All dialogues of the window in one object, which tests replace by one without a user."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -30,11 +27,11 @@ from lispac.gui.dialogs.sensors_of_plan import Sensors, SensorsDialog
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
-from lispac.gui.language import say
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
+from lispac.language import N_, gettext
 from lispac.methods import Answer
 from lispac.opinions import Method
 from lispac.project import LineSource, Project, Target, Triple
@@ -57,29 +54,30 @@ if TYPE_CHECKING:
 
 DesignFile = Literal["open", "save", "page", "site"]
 DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
-    "open": ("Open plan", "Plan (*.toml)", False),
-    "save": ("Save plan", "Plan (*.toml)", True),
-    "page": ("Write the field plan", "PDF (*.pdf)", True),
-    "site": ("Open site", "Site (*.toml)", False),
+    "open": (N_("Open plan"), N_("Plan (*.toml)"), False),
+    "save": (N_("Save plan"), N_("Plan (*.toml)"), True),
+    "page": (N_("Write the field plan"), "PDF (*.pdf)", True),
+    "site": (N_("Open site"), N_("Site (*.toml)"), False),
 }
-
-REPORT_FILTER = (
-    "PDF (*.pdf);;HTML (*.html);;Numbers as JSON (*.json);;Tables as CSV in a ZIP file (*.zip)"
-)
+"""Title and filter of the file dialogue, and whether the file is written."""
+REPORT_FILTERS = (
+    "PDF (*.pdf)", "HTML (*.html)", N_("Numbers as JSON (*.json)"),
+    N_("Tables as CSV in a ZIP file (*.zip)"),
+)  # fmt: skip
 
 
 class Dialogs(Questions):
-    """Asks the user."""
+    """Shows the dialogues and returns the answers of the user."""
 
     def new_project(
         self, settings: AppSettings, paths: Sequence[Path] = ()
     ) -> ImportRequest | Path | None:
-        """What a new project is to hold, or the project that was dropped instead.
+        """The import of a new project, or an existing project that was dropped instead.
 
         Parameters
         ----------
         paths : sequence of Path
-            Files and folders to begin with.
+            Files and folders to start with.
         """
         dialog = ImportDialog(settings, self.parent)
         dialog.add(paths)
@@ -96,7 +94,7 @@ class Dialogs(Questions):
         Parameters
         ----------
         paths : sequence of Path
-            Files and folders to begin with.
+            Files and folders to start with.
         """
         dialog = AddLinesDialog(settings, project, self.parent)
         dialog.add(paths)
@@ -106,12 +104,12 @@ class Dialogs(Questions):
         return answer
 
     def project_to_open(self, start: Path) -> Path | None:
-        """A project's folder."""
+        """File of a project to open."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent,
-            say("Open project"),
+            gettext("Open project"),
             str(start),
-            say("LISPAC project (project.json *.lispac)"),
+            gettext("LISPAC project (project.json *.lispac)"),
         )
         return Path(name) if name else None
 
@@ -119,36 +117,36 @@ class Dialogs(Questions):
         """A new folder for the project; ``start`` is proposed."""
         name, _ = QFileDialog.getSaveFileName(
             self.parent,
-            say("Save project as: name of its new folder"),
+            gettext("Save project as: name of its new folder"),
             str(start),
-            say("Folder (*)"),
-            # Nothing is replaced: a folder with a project is refused, and so is a file
+            gettext("Folder (*)"),
+            # Nothing is overwritten: existing projects and files are refused
             options=QFileDialog.Option.DontConfirmOverwrite,
         )
         return Path(name) if name else None
 
     def folder_of_projects(self, start: Path) -> Path | None:
-        """A folder that holds projects."""
+        """A folder that contains projects."""
         name = QFileDialog.getExistingDirectory(
-            self.parent, say("Folder with the projects of all calibrations"), str(start)
+            self.parent, gettext("Folder with the projects of all calibrations"), str(start)
         )
         return Path(name) if name else None
 
     def check(self, project: Project, trajectory: LocalTrajectory) -> CheckRequest | None:
-        """Against which reference the lines are to be checked."""
+        """A check of the lines against a reference."""
         dialog = CheckDialog(project, trajectory, self.parent)
         answer = dialog.request if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 
     def checked(self, found: Absolute) -> None:
-        """Show how far the lines are from the reference."""
+        """Show the distances of the lines from the reference."""
         dialog = CheckedDialog(found, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def budget(self, budget: Budget) -> None:
-        """Show what each source of error does."""
+        """Show the error budget."""
         dialog = BudgetDialog(budget, self.parent)
         dialog.exec()
         dialog.deleteLater()
@@ -160,13 +158,13 @@ class Dialogs(Questions):
         dialog.deleteLater()
 
     def subsampling(self, found: Sequence[Subsampled], used: float) -> None:
-        """Show the answers with other distances between the points; ``used`` is the project's."""
+        """Show the results at several point spacings; ``used`` is that of the project."""
         dialog = SubsamplingDialog(found, used, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def line_quality(self, found: LineQuality) -> None:
-        """Show how far the lines are apart."""
+        """Show the differences between the lines."""
         dialog = LineQualityDialog(found, self.parent)
         dialog.exec()
         dialog.deleteLater()
@@ -174,23 +172,23 @@ class Dialogs(Questions):
     def methods(
         self, found: Sequence[Answer], absent: Sequence[Method], refused: Mapping[str, str]
     ) -> bool:
-        """Show the answers of all methods; whether those that are missing are to be asked."""
+        """Show the results of all methods; return whether to run the missing ones."""
         dialog = MethodsDialog(found, absent, refused, self.parent)
         dialog.exec()
         dialog.deleteLater()
         return dialog.asks
 
     def visibility(self, found: Sequence[Visibility]) -> None:
-        """Show which boards and lines show which error, on each site."""
+        """Show the visibility of errors on each site."""
         dialog = VisibilityDialog(found, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def design_file(self, what: DesignFile, start: Path) -> Path | None:
         """A file of a plan, a site or a field plan, to read or to write."""
-        title, kind, writes = DESIGN_FILES[what]
+        title, filter_, writes = DESIGN_FILES[what]
         ask = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
-        name, _ = ask(self.parent, say(title), str(start), say(kind))
+        name, _ = ask(self.parent, gettext(title), str(start), gettext(filter_))
         if not name:
             return None
         path = Path(name)
@@ -198,20 +196,21 @@ class Dialogs(Questions):
         return path if path.suffix or not ending else path.with_name(path.name + ending)
 
     def report_file(self, start: Path) -> Path | None:
-        """Where the report goes; the ending chooses its kind."""
+        """File for the report; its suffix, or the chosen filter, sets the format."""
+        filters = ";;".join(map(gettext, REPORT_FILTERS))
         name, kind = QFileDialog.getSaveFileName(
-            self.parent, say("Export report"), str(start), say(REPORT_FILTER)
+            self.parent, gettext("Export report"), str(start), filters
         )
         if not name:
             return None
         path = Path(name)
-        ending = kind.rpartition("*")[2].rstrip(")")  # "PDF (*.pdf)", whatever the language
+        ending = kind.rpartition("*")[2].rstrip(")")  # of "PDF (*.pdf)", in any language
         return path if path.suffix else path.with_suffix(ending)
 
     def pdf_file(self, start: Path) -> Path | None:
-        """Where the report that was looked at goes."""
+        """PDF file for the report of the preview."""
         name, _ = QFileDialog.getSaveFileName(
-            self.parent, say("Save the report as PDF"), str(start), say("PDF (*.pdf)")
+            self.parent, gettext("Save the report as PDF"), str(start), "PDF (*.pdf)"
         )
         path = Path(name)
         return (
@@ -219,36 +218,37 @@ class Dialogs(Questions):
         )
 
     def preview(self, pages: Sequence[bytes], save: Callable[[], str]) -> None:
-        """Show the pages of the report; ``save`` keeps them and says where."""
+        """Show the pages of the report; ``save`` saves them and returns a text about it."""
         dialog = PreviewDialog(pages, save, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def script_file(self, start: Path) -> Path | None:
-        """Where the project's script goes."""
+        """File for the script of the project."""
         name, _ = QFileDialog.getSaveFileName(
-            self.parent, say("Save the script"), str(start), say("Python (*.py)")
+            self.parent, gettext("Save the script"), str(start), "Python (*.py)"
         )
         return Path(name if Path(name).suffix else f"{name}.py") if name else None
 
     def script(self, script: "Script", save: Callable[[], str]) -> None:
-        """Show the project's script; ``save`` keeps it and says where."""
+        """Show the script of the project; ``save`` saves it and returns a text about it."""
         dialog = ScriptDialog(script, save, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def report_template(self, start: Path) -> Path | None:
-        """The template of a company's reports."""
+        """Template of the reports of a company."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, say("Template of the report"), str(start), say("Report template (*.toml)")
-        )
+            self.parent, gettext("Template of the report"), str(start),
+            gettext("Report template (*.toml)"),
+        )  # fmt: skip
         return Path(name) if name else None
 
     def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
-        """Where a picture goes; the ending chooses its kind, else the filter does."""
+        """File for a picture; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
         name, chosen = QFileDialog.getSaveFileName(
-            self.parent, say("Save the picture"), str(start), filters
+            self.parent, gettext("Save the picture"), str(start), filters
         )
         if not name:
             return None
@@ -259,42 +259,42 @@ class Dialogs(Questions):
     def export(
         self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
     ) -> ExportRequest | None:
-        """What to export besides the report, and where."""
+        """An export of lines, targets or the trajectory."""
         dialog = ExportDialog(what, which, project, trajectory, self.parent)
         answer = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 
     def identity(self, identity: Identity, dates: Callable[[], str]) -> Identity | None:
-        """Who, when and with what, for the report; ``dates`` are those the lines tell."""
+        """Details for the report; ``dates`` returns the days from the times of the lines."""
         dialog = IdentityDialog(identity, dates, self.parent)
         answer = dialog.identity if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 
     def preferences(self, present: Preferences, settings: AppSettings) -> Preferences | None:
-        """What the user prefers for all projects; the sensor library is edited beside it."""
+        """Preferences for all projects; the dialogue also edits the sensor library."""
         dialog = SettingsDialog(present, settings.sensors, self.parent)
         answer = dialog.preferences if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 
     def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
-        """Sensors of the library for a plan; None where it stays as it is."""
+        """Sensors of the library for a plan; None where the dialogue is cancelled."""
         dialog = SensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
         answer = dialog.sensors if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer
 
     def proposal(self, proposal: Proposal) -> tuple[str, ...]:
-        """Names of the proposed targets that are wanted."""
+        """Names of the accepted targets of a proposal."""
         dialog = ProposalDialog(proposal, self.parent)
         answer = dialog.ticked if dialog.exec() == QDialog.DialogCode.Accepted else ()
         dialog.deleteLater()
         return answer
 
     def find_again(self, target: Target) -> tuple[float, float, FinderChoices] | None:
-        """Threshold and search radius (metres) and the rest, to find a target again with."""
+        """Threshold and search radius (metres) and other settings to find a target again."""
         dialog = FindAgainDialog(target, self.parent)
         answer = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
@@ -303,7 +303,7 @@ class Dialogs(Questions):
     def seed_at(
         self, project: Project, trajectory: LocalTrajectory, wishes: Wishes, name: str
     ) -> tuple[str, Triple] | None:
-        """Name and place of a seed that is typed; ``name`` is proposed."""
+        """Name and place of a typed seed; ``name`` is proposed."""
         dialog = SeedDialog(project, trajectory, wishes, name, self.parent)
         answer = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
@@ -312,34 +312,42 @@ class Dialogs(Questions):
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, say("Seeds from a file"), str(start),
-            say("Lists of coordinates (*.txt *.csv *.asc *.xyz *.pts *.dat);;All files (*)"),
+            self.parent, gettext("Seeds from a file"), str(start),
+            ";;".join(
+                [
+                    gettext(
+                        "Lists of coordinates ({patterns})",
+                        patterns="*.txt *.csv *.asc *.xyz *.pts *.dat",
+                    ),
+                    gettext("All files (*)"),
+                ]
+            ),
         )  # fmt: skip
         return Path(name) if name else None
 
     def seed_list(
         self, path: Path, project: Project, trajectory: LocalTrajectory, how: str
     ) -> tuple[ListedSeed, ...]:
-        """Seeds of a list that are to be picked; ``how`` says how they are sought."""
+        """Seeds of a list to pick; ``how`` describes the search."""
         dialog = SeedListDialog(path, project, trajectory, how, self.parent)
         answer = dialog.ticked if dialog.exec() == QDialog.DialogCode.Accepted else ()
         dialog.deleteLater()
         return answer
 
     def seeds_found(self, outcomes: Sequence[Outcome], lines: int) -> None:
-        """Say what came of the seeds of a list."""
+        """Show which seeds of a list led to a target."""
         dialog = SeedsFoundDialog(outcomes, lines, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def about(self) -> None:
-        """Say what the program is."""
+        """Show version, conventions and licence of the program."""
         box = about_box(self.parent)
         box.exec()
         box.deleteLater()
 
     def shortcuts(self) -> None:
-        """Say what mouse and keys do."""
+        """Show the mouse and keyboard commands."""
         box = shortcuts_box(self.parent)
         box.exec()
         box.deleteLater()

@@ -1,4 +1,4 @@
-"""Settings: what holds for all projects, and the library of sensors."""
+"""Settings dialogue: preferences for all projects, and the library of sensors."""
 
 from pathlib import Path
 
@@ -9,48 +9,48 @@ from lispac.gui.colouring import Scale
 from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.report import OTHERS
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.units import ANGLES, LENGTHS
-from lispac.language import LANGUAGES, gettext
+from lispac.language import LANGUAGES, N_, gettext
 from lispac.workflow.sensors import library
 
 MILLION = 1_000_000
 UNITS = {
-    "degrees": "Degrees",
-    "milliradians": "Milliradians",
-    "minutes": "Arc minutes and seconds",
-    "metres": "Metres and millimetres",
-    "feet": "International feet (ft)",
-    "survey feet": "US survey feet (ftUS)",
+    "degrees": N_("Degrees"),
+    "milliradians": N_("Milliradians"),
+    "minutes": N_("Arc minutes and seconds"),
+    "metres": N_("Metres and millimetres"),
+    "feet": N_("International feet (ft)"),
+    "survey feet": N_("US survey feet (ftUS)"),
 }
-"""What the units shown are called, by their keys."""
-LOOKS = {"system": "System default", "light": "Light", "dark": "Dark"}
-"""What the themes are called."""
+"""Names of the units by their keys."""
+SYSTEM_DEFAULT = N_("System default")
+THEMES = {"system": SYSTEM_DEFAULT, "light": N_("Light"), "dark": N_("Dark")}
+"""Names of the themes by their keys."""
 SCALES: dict[Scale, str] = {
-    "viridis": "Viridis: even, safe for the colour-blind",
-    "cividis": "Cividis: blue to yellow, safe for the colour-blind",
-    "gray": "Greys",
-    "turbo": "Turbo: a rainbow, not safe for the colour-blind",
+    "viridis": N_("Viridis: uniform, suitable for colour-blind users"),
+    "cividis": N_("Cividis: blue to yellow, suitable for colour-blind users"),
+    "gray": N_("Greys"),
+    "turbo": N_("Turbo: rainbow, not suitable for colour-blind users"),
 }
-"""What the scales of colours are called."""
+"""Names of the colour scales."""
 
 
 class SettingsDialog(QDialog):
-    """A page for what is preferred, one for the sensors.
+    """Dialogue with a page of general preferences and one of sensors.
 
     Parameters
     ----------
-    sensors : folder of the user's own sensors, which change as they are edited
+    sensors : folder of the user's own sensors, which are written at each edit
     """
 
     def __init__(self, present: Preferences, sensors: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("settings_dialog")
-        self.setWindowTitle(say("Settings"))
+        self.setWindowTitle(gettext("Settings"))
         self.resize(1180, 640)
         self._folder = sensors
         layout = widgets.column(self, 16)
@@ -66,15 +66,15 @@ class SettingsDialog(QDialog):
         outer.addStretch(1)
         self.library = SensorLibraryPage(sensors)
         self.library.changed.connect(self._renew_choice)
-        self.tabs.addTab(general, say("General"))
-        self.tabs.addTab(self.library, say("Sensors"))
+        self.tabs.addTab(general, gettext("General"))
+        self.tabs.addTab(self.library, gettext("Sensors"))
         layout.addWidget(self.tabs, 1)
         layout.addLayout(self._buttons())
         self.show_preferences(present)
 
     @property
     def preferences(self) -> Preferences:
-        """What the fields say."""
+        """Preferences from the fields."""
         scanner, pos = self.choice.names
         return Preferences(
             ["", *LANGUAGES][self.language.currentIndex()],
@@ -86,12 +86,12 @@ class SettingsDialog(QDialog):
             list(ANGLES)[self.angles.currentIndex()],
             list(LENGTHS)[self.lengths.currentIndex()],
             self.cache.folder,
-            list(LOOKS)[self.looks.currentIndex()],
+            list(THEMES)[self.looks.currentIndex()],
             list(SCALES)[self.scale.currentIndex()],
         )
 
     def show_preferences(self, given: Preferences) -> None:
-        """Fill in."""
+        """Fill in the fields."""
         self.language.setCurrentIndex(["", *LANGUAGES].index(given.language))
         self.point_size.setValue(given.point_size)
         self.point_budget.setValue(given.point_budget / MILLION)
@@ -103,68 +103,79 @@ class SettingsDialog(QDialog):
         self.angles.setCurrentIndex(list(ANGLES).index(given.angles))
         self.lengths.setCurrentIndex(list(LENGTHS).index(given.lengths))
         self.cache.show_folder(given.cache)
-        self.looks.setCurrentIndex(list(LOOKS).index(given.theme))
+        self.looks.setCurrentIndex(list(THEMES).index(given.theme))
         self.scale.setCurrentIndex(list(SCALES).index(given.scale))
 
     def _build(self) -> None:
         self.language = widgets.Choice(
-            "settings_language", ["System default", *LANGUAGES.values()],
-            "Language of the window; the report has its own in step 5",
+            "settings_language", [gettext(SYSTEM_DEFAULT), *LANGUAGES.values()],
+            gettext("Language of the window; that of the report is set in step 5"),
         )  # fmt: skip
         self.point_size = widgets.number(
-            "settings_point_size", suffix=" pixels", decimals=0, low=POINT_SIZES[0],
-            high=POINT_SIZES[-1], step=1, tip="Size of a drawn point",
+            "settings_point_size", suffix=f" {gettext('pixels')}", decimals=0, low=POINT_SIZES[0],
+            high=POINT_SIZES[-1], step=1, tip=gettext("Size of a drawn point"),
         )  # fmt: skip
         self.point_budget = widgets.number(
-            "settings_point_budget", suffix=" million", decimals=1,
+            "settings_point_budget", suffix=f" {gettext('million')}", decimals=1,
             low=POINT_BUDGETS[0] / MILLION, high=POINT_BUDGETS[-1] / MILLION, step=0.5,
-            tip="Points drawn while the view rests, at most; a slow computer draws fewer",
+            tip=gettext(
+                "Largest number of points drawn while the view does not move; slow computers draw "
+                "fewer"
+            ),
         )  # fmt: skip
         self.angles = widgets.Choice(
-            "settings_angles", [UNITS[key] for key in ANGLES],
-            "Unit of the boresight, of attitudes and of their sigmas in the window. Headings and "
-            "inclinations stay in degrees; files, reports and scripts have their own units",
+            "settings_angles", [gettext(UNITS[key]) for key in ANGLES],
+            gettext(
+                "Unit of the boresight angles, attitudes and their standard deviations in the "
+                "window. Headings and inclinations stay in degrees. Files, reports and scripts "
+                "have their own units."
+            ),
         )  # fmt: skip
         self.lengths = widgets.Choice(
-            "settings_lengths", [UNITS[key] for key in LENGTHS],
-            "Unit of lengths and distances in the window; files, reports and scripts stay metric",
+            "settings_lengths", [gettext(UNITS[key]) for key in LENGTHS],
+            gettext("Unit of lengths in the window; files, reports and scripts stay metric"),
         )  # fmt: skip
         self.looks = widgets.Choice(
-            "settings_looks", list(LOOKS.values()),
-            "Colours of the window; those of the lines are told apart on either ground, by the "
-            "colour-blind too",
+            "settings_looks", [gettext(each) for each in THEMES.values()],
+            gettext(
+                "Colours of the window; in each theme, the colours of the lines suit colour-blind "
+                "users"
+            ),
         )  # fmt: skip
         self.scale = widgets.Choice(
-            "settings_scale", list(SCALES.values()),
-            "Colours of the points by height, intensity, range or time; residuals have their own",
+            "settings_scale", [gettext(each) for each in SCALES.values()],
+            gettext(
+                "Colours of points by height, intensity, range or time; residuals have their own "
+                "scale"
+            ),
         )  # fmt: skip
         self.convention = widgets.Choice(
-            "settings_convention", ["(none)", *(each.name for each in OTHERS)],
-            "Reports also state the boresight as another program has it",
+            "settings_convention", [gettext("(none)"), *(each.name for each in OTHERS)],
+            gettext("Reports also give the boresight angles in the convention of this program"),
         )  # fmt: skip
         self.cache = CacheBox()
         for field in (self.point_size, self.point_budget):
             field.setMaximumWidth(160)
-        self._form.addRow(widgets.label("Window", "heading"))
-        self._form.addRow(say("Language"), self.language)
+        self._form.addRow(widgets.label(gettext("Window"), "heading"))
+        self._form.addRow(gettext("Language"), self.language)
         self._form.addRow(gettext("Theme"), self.looks)
-        self._form.addRow(say("Colours of measured values"), self.scale)
-        self._form.addRow(say("Size of points"), self.point_size)
-        self._form.addRow(say("Points drawn at most"), self.point_budget)
-        self._form.addRow(say("Angles"), self.angles)
-        self._form.addRow(say("Lengths"), self.lengths)
-        self._form.addRow(widgets.label("Report", "heading"))
-        self._form.addRow(say("Also give angles for"), self.convention)
-        self._form.addRow(widgets.label("Cache", "heading"))
-        self._form.addRow(say("Folder"), self.cache)
-        self._form.addRow(widgets.label("New projects begin with", "heading"))
+        self._form.addRow(gettext("Colours of measured values"), self.scale)
+        self._form.addRow(gettext("Point size"), self.point_size)
+        self._form.addRow(gettext("Points drawn, at most"), self.point_budget)
+        self._form.addRow(gettext("Angles"), self.angles)
+        self._form.addRow(gettext("Lengths"), self.lengths)
+        self._form.addRow(widgets.label(gettext("Report"), "heading"))
+        self._form.addRow(gettext("Also give angles for"), self.convention)
+        self._form.addRow(widgets.label(gettext("Cache"), "heading"))
+        self._form.addRow(gettext("Folder"), self.cache)
+        self._form.addRow(widgets.label(gettext("Sensors of new projects"), "heading"))
         self._place_choice()
 
     def _place_choice(self) -> None:
         self.choice = SensorChoice(library(self._folder), "settings")
-        self._form.addRow(say("Scanner"), self.choice.scanner)
+        self._form.addRow(gettext("Scanner"), self.choice.scanner)
         self._form.addRow("", self.choice.scanner_origin)
-        self._form.addRow(say("INS/GNSS"), self.choice.pos)
+        self._form.addRow(gettext("INS/GNSS"), self.choice.pos)
         self._form.addRow("", self.choice.pos_origin)
 
     def _renew_choice(self) -> None:
@@ -177,11 +188,11 @@ class SettingsDialog(QDialog):
 
     def _buttons(self) -> QHBoxLayout:
         self.restore = widgets.button(
-            "Restore defaults", "settings_restore",
-            tip="The settings of a new user; your own sensors stay",
+            gettext("Restore defaults"), "settings_restore",
+            tip=gettext("Reset all settings; your own sensors are kept"),
         )  # fmt: skip
-        cancel = widgets.button("Cancel", "settings_cancel")
-        self.keep = widgets.button("OK", "settings_keep", primary=True)
+        cancel = widgets.button(gettext("Cancel"), "settings_cancel")
+        self.keep = widgets.button(gettext("OK"), "settings_keep", primary=True)
         self.keep.setDefault(True)
         self.restore.clicked.connect(lambda: self.show_preferences(Preferences()))
         cancel.clicked.connect(self.reject)

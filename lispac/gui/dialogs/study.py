@@ -1,4 +1,4 @@
-"""What a study found: a table, sentences, a plot where there is one, and both to copy."""
+"""Base of the dialogues with the result of a study: text, table and plot, which can be copied."""
 
 from collections.abc import Sequence
 
@@ -6,9 +6,9 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import DiagnosticsTable, Row
+from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
+from lispac.language import N_, gettext
 
 HEAD, ROW, MOST_SHOWN = 64, 24, 10
 """Pixels of the table's headings and of a row, and rows shown at the least."""
@@ -16,41 +16,63 @@ OFF_THE_EDGE = 40
 """Pixels of the screen that are left beside the dialogue."""
 TABLE_AT_LEAST, PLOT_AT_LEAST = HEAD + 3 * ROW, 180
 """Pixels, on a screen too low for all of it."""
+ANGLE_COLUMNS = (
+    (N_("Roll (deg)"), N_("Estimated roll, degrees")),
+    (N_("Roll ± (deg)"), N_("Standard deviation of roll, degrees")),
+    (N_("Pitch (deg)"), N_("Estimated pitch, degrees")),
+    (N_("Pitch ± (deg)"), N_("Standard deviation of pitch, degrees")),
+    (N_("Yaw (deg)"), N_("Estimated yaw, degrees")),
+    (N_("Yaw ± (deg)"), N_("Standard deviation of yaw, degrees")),
+)
+"""Titles and tips of the columns of boresight angles."""
+
+
+def angle_columns() -> list[Column]:
+    """Columns for each angle of the boresight and its standard deviation."""
+    return [Column(gettext(title), gettext(tip), base="°") for title, tip in ANGLE_COLUMNS]
 
 
 class StudyDialog(QDialog):
-    """Shown until it is closed; nothing in it changes the project.
+    """Dialogue with a table and optional text and plot; it does not change the project.
 
     Parameters
     ----------
     name : of the dialogue, for its widgets
+    title, introduction : texts in the language of the user
     """
 
     def __init__(
-        self, name: str, title: str, words: str, table: DiagnosticsTable, parent: QWidget | None
+        self,
+        name: str,
+        title: str,
+        introduction: str,
+        table: DiagnosticsTable,
+        parent: QWidget | None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName(f"{name}_dialog")
-        self.setWindowTitle(say(title))
+        self.setWindowTitle(title)
         self.table = table
         self.body: QVBoxLayout = widgets.column(self, 16)
-        self.body.addWidget(widgets.label(words, wrap=True))
+        self.body.addWidget(widgets.label(introduction, wrap=True))
         self.body.addWidget(table, 1)
         self.said = widgets.label("", wrap=True, name=f"{name}_said")
         self.body.addWidget(self.said)
         self.canvas: QWidget | None = None
         self.copy_numbers = widgets.button(
-            "Copy numbers", f"{name}_numbers", tip="Copy the table for a spreadsheet"
+            gettext("Copy numbers"),
+            f"{name}_numbers",
+            tip=gettext("Copy the table for a spreadsheet"),
         )
         self.copy_numbers.clicked.connect(
             lambda: QGuiApplication.clipboard().setText(self.numbers())
         )
         self.copy_picture = widgets.button(
-            "Copy picture", f"{name}_picture", tip="Copy the plot as it is shown"
+            gettext("Copy picture"), f"{name}_picture", tip=gettext("Copy the plot as displayed")
         )
         self.copy_picture.clicked.connect(self._copy_picture)
         self.copy_picture.hide()
-        close = widgets.button("Close", f"{name}_close", primary=True)
+        close = widgets.button(gettext("Close"), f"{name}_close", primary=True)
         close.setDefault(True)
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
@@ -63,38 +85,38 @@ class StudyDialog(QDialog):
 
     @property
     def room(self) -> QSize:
-        """What the screen has for it, pixels."""
+        """Size of the screen without its margin, pixels."""
         return self.screen().availableGeometry().size() - QSize(OFF_THE_EDGE, OFF_THE_EDGE)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
-        """Show rows in the table, all of them where they are few."""
+        """Show rows in the table, which grows with them up to a limit."""
         self.table.show_rows(rows)
         self.table.setMinimumHeight(HEAD + ROW * min(len(rows), MOST_SHOWN))
         if self.isVisible():
             self._widen()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Find room for the table, on the screen that there is."""
+        """Fit the dialogue to the table and to the screen."""
         super().showEvent(event)
         self._widen()
         self._lower()
 
     def _widen(self) -> None:
-        """As wide as the table, where the screen is: else its last column would be cut off."""
+        """Widen the dialogue to the table, but not beyond the screen."""
         around, header = self.body.contentsMargins(), self.table.horizontalHeader()
         frame = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
-        # Sections have not yet the width they get, and the last is stretched to what there is
-        wanted = sum(
+        # The sections do not have their final widths yet, and the last one is stretched
+        width = sum(
             max(header.sectionSizeHint(column), self.table.sizeHintForColumn(column)) + 1
             for column in range(header.count())
         )
-        wanted += frame + around.left() + around.right()
-        wanted = min(wanted, self.room.width())
-        if wanted > self.width():
-            self.resize(wanted, self.height())
+        width += frame + around.left() + around.right()
+        width = min(width, self.room.width())
+        if width > self.width():
+            self.resize(width, self.height())
 
     def _lower(self) -> None:
-        """No higher than the screen: else the buttons would be below its edge."""
+        """Lower the dialogue to the height of the screen, so that its buttons are visible."""
         room = self.room.height()
         parts = [(self.table, TABLE_AT_LEAST)]
         if self.canvas is not None:
@@ -104,17 +126,17 @@ class StudyDialog(QDialog):
             if excess > 0:
                 part.setMinimumHeight(max(least, part.minimumHeight() - excess))
                 self.body.invalidate()
-        # Qt would take the words for as many lines as they have where the dialogue is narrowest
+        # Qt's own minimum is for texts wrapped at the smallest width
         self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), room))
         if self.height() > room:
             self.resize(self.width(), room)
 
     def numbers(self) -> str:
-        """What is copied for a spreadsheet."""
+        """Text that is copied for a spreadsheet."""
         return self.table.as_text()
 
     def figure(self):
-        """The figure of the plot, which stands below the table."""
+        """The figure of the plot below the table."""
         if self.canvas is None:
             from lispac.gui.panels.chart import Chart
 

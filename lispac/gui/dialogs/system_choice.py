@@ -1,4 +1,4 @@
-"""Choosing a coordinate system, with what it means for the survey."""
+"""Fields for the coordinate system and the vertical system of coordinates."""
 
 from typing import cast
 
@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLineEdit
 
 from lispac.errors import InputError, LispacError
-from lispac.gui.language import say
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
@@ -15,42 +15,43 @@ from lispac.workflow.export_request import system_of
 from lispac.workflow.target_systems import LOCAL, common_system, utm_zone
 
 REST_MS = 300
-LOCAL_WORDS = "Local frame – North, West, Up"
-HEIGHTS = "As the coordinate system says, else above the ellipsoid"
+LOCAL_NAME = N_("Local frame – North, West, Up")
+HEIGHTS = N_("As the coordinate system, otherwise above the ellipsoid")
+HEIGHTS_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
 
 
 def system_box(
     name: str, project: Project, trajectory: LocalTrajectory, *, local_first: bool = False
 ) -> QComboBox:
-    """The coordinate systems at hand, and room to type another; their codes are the items' data."""
+    """Editable list of the likely coordinate systems; their codes are the data of the items."""
     found = QComboBox()
     found.setObjectName(name)
     found.setEditable(True)
     found.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
-    found.setToolTip(say("Choose, or type an EPSG code: EPSG:2959, EPSG:6347+5703"))
+    found.setToolTip(gettext("Choose or type an EPSG code, such as EPSG:2959 or EPSG:6347+5703"))
     zone = utm_zone(trajectory)
     try:
         own = common_system(project)
     except LispacError:
-        own = None  # they are in different ones
-    items = [(f"{zone} – UTM zone of the trajectory (WGS 84)", zone)]
+        own = None  # the lines are in different systems
+    items = [(gettext("{zone} – UTM zone of the trajectory (WGS 84)", zone=zone), zone)]
     if own is not None:
-        items.insert(0, (f"As the lines' files – {own.name}", ""))
-    items.insert(0 if local_first else len(items), (LOCAL_WORDS, LOCAL))
-    for words, code in items:
-        found.addItem(say(words), code)
+        items.insert(0, (gettext("As the files of the lines – {system}", system=own.name), ""))
+    items.insert(0 if local_first else len(items), (gettext(LOCAL_NAME), LOCAL))
+    for text, code in items:
+        found.addItem(text, code)
     return found
 
 
 def system_text(box: QComboBox) -> str:
-    """The code that is chosen, or what is typed."""
+    """The code of the chosen item, or the typed text."""
     text = box.currentText().strip()
     index = box.findText(text)
     return cast(str, box.itemData(index)) if index >= 0 else text
 
 
 class SystemChoice(QObject):
-    """In which system coordinates are given: two fields of a form.
+    """Two fields of a form for the system of given coordinates.
 
     Attributes
     ----------
@@ -59,7 +60,7 @@ class SystemChoice(QObject):
     problem : LispacError or None
         Why there is no system; None where there is one.
     waiting : bool
-        Whether something is being typed that has not been looked at.
+        Whether typed text has not been checked yet.
     """
 
     changed = Signal()
@@ -72,10 +73,8 @@ class SystemChoice(QObject):
         self.box = system_box(f"{prefix}_system", project, trajectory, local_first=True)
         self.height = QLineEdit()
         self.height.setObjectName(f"{prefix}_height")
-        self.height.setPlaceholderText(say(HEIGHTS))
-        self.height.setToolTip(
-            say("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif), or ellipsoid")
-        )
+        self.height.setPlaceholderText(gettext(HEIGHTS))
+        self.height.setToolTip(gettext(HEIGHTS_TIP))
         self.system: CoordinateSystem | None = None
         self.problem: LispacError | None = None
         self.waiting = False
@@ -88,9 +87,9 @@ class SystemChoice(QObject):
         self.height.textChanged.connect(self._typed)
 
     def add_to(self, form: QFormLayout) -> None:
-        """Put the two fields into a form."""
-        form.addRow(say("Coordinates"), self.box)
-        form.addRow(say("Heights"), self.height)
+        """Add the two fields to a form."""
+        form.addRow(gettext("Coordinates"), self.box)
+        form.addRow(gettext("Heights"), self.height)
         self._form = form
         self._judge()
 

@@ -1,4 +1,4 @@
-"""The import dialogue: puts its parts together and joins their signals."""
+"""Import dialogue: layout of its parts and connections between them."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -38,6 +38,7 @@ from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
 from lispac.installed import expanded
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.language import Plural, gettext
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
 from lispac.workflow.sensors import library
 
@@ -45,14 +46,19 @@ FILE, TIMELINE, QUALITY, MOUNTING = range(4)
 
 
 def survey_files() -> str:
-    """What the dialogue of files shows: all that a format claims, or everything."""
+    """Filters of the file dialogue: the suffixes of all formats, or all files."""
     formats = (*POINTS, *TRAJECTORIES, *ACCURACIES)
     known = dict.fromkeys(f"*{ending}" for each in formats for ending in each.endings)
-    return f"{say('Survey files')} ({' '.join(known)});;{say('All files')} (*)"
+    return ";;".join(
+        [
+            gettext("Survey files ({patterns})", patterns=" ".join(known)),
+            gettext("All files (*)"),
+        ]
+    )
 
 
 class ImportDialog(QDialog):
-    """Files in, looked at, checked against each other; then the project is made.
+    """Reads the added files, checks them against each other, and makes the project.
 
     Parameters
     ----------
@@ -64,10 +70,10 @@ class ImportDialog(QDialog):
         super().__init__(parent)
         self._settings = settings
         self.project: Path | None = None
-        """A project that was dropped and is to be opened instead."""
+        """A project that was dropped, to be opened instead."""
         self._own_folder = False
         self.setObjectName("import_dialog")
-        self.setWindowTitle(say("New project"))
+        self.setWindowTitle(gettext("New project"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.work = Work(settings.column_mappings(), self)
         self._build()
@@ -80,16 +86,16 @@ class ImportDialog(QDialog):
 
     @property
     def intake(self) -> Intake:
-        """The files as they stand."""
+        """The files and their settings."""
         return self.work.intake
 
     def add(self, paths: Sequence[Path]) -> None:
-        """Take in files and folders."""
+        """Add files and folders."""
         if paths:
             self.work.add(paths)
 
     def request(self) -> ImportRequest:
-        """What the project is to be made of."""
+        """The import as filled in."""
         folder = expanded(Path(self.folder.text().strip()))
         identity = BLANK.changed(**self.mounting.sensors.titles)
         return replace(self.intake.request(folder, self.mounting.settings()), identity=identity)
@@ -104,7 +110,7 @@ class ImportDialog(QDialog):
         self._stack = QStackedLayout()
         outer.addLayout(self._stack, 1)
         self._stack.addWidget(self.empty)
-        # From the outside in: with each new parent Qt looks up the style of all that is inside
+        # Built from the outside in, since Qt restyles all children with each new parent
         filled = QWidget(self)
         self._stack.addWidget(filled)
         self._fill(filled)
@@ -127,31 +133,37 @@ class ImportDialog(QDialog):
         self.file_page, self.timeline = FilePage(), TimelinePage()
         self.quality, self.mounting = QualityPage(), MountingPage(library(self._settings.sensors))
         self.mounting.sensors.choose(*self._settings.usual_sensors)
-        self.tabs.addTab(self.file_page, say("Selected file"))
-        self.tabs.addTab(self.timeline, say("Timeline"))
-        self.tabs.addTab(self.quality, say("Trajectory quality"))
-        self.tabs.addTab(self.mounting, say("Mounting and accuracies"))
+        self.tabs.addTab(self.file_page, gettext("Selected file"))
+        self.tabs.addTab(self.timeline, gettext("Timeline"))
+        self.tabs.addTab(self.quality, gettext("Trajectory quality"))
+        self.tabs.addTab(self.mounting, gettext("Mounting and accuracies"))
 
     def _bar(self) -> QHBoxLayout:
         row = QHBoxLayout()
-        self.add_files = widgets.button("Add files…", "import_add_files", icon="file-plus-outline")
+        self.add_files = widgets.button(
+            gettext("Add files…"), "import_add_files", icon="file-plus-outline"
+        )
         self.add_folder = widgets.button(
-            "Add folder…", "import_add_folder", icon="folder-plus-outline",
-            tip="Add the files that lie directly in a folder",
+            gettext("Add folder…"), "import_add_folder", icon="folder-plus-outline",
+            tip=gettext("Add the files of a folder, without its subfolders"),
         )  # fmt: skip
         self.remove = widgets.button(
-            "Remove", "import_remove", tip="Take the selected file off the list (Delete)"
-        )
+            gettext("Remove"), "import_remove",
+            tip=gettext("Remove the selected file from the list (Delete)"),
+        )  # fmt: skip
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
         self.progress.setTextVisible(False)
         self.progress.setFixedWidth(180)
-        self.progress.setAccessibleName(say("Files looked into"))
+        self.progress.setAccessibleName(gettext("Files read"))
         self.doing = widgets.label("", "muted", name="import_doing")
-        self.stop = widgets.button("Stop", "import_stop", tip="Look into no more files")
-        self.again = widgets.button(
-            "Look again", "import_look_again", tip="Look into the files that were passed over"
+        self.stop = widgets.button(
+            gettext("Stop"), "import_stop", tip=gettext("Stop reading files")
         )
+        self.again = widgets.button(
+            gettext("Read again"), "import_look_again",
+            tip=gettext("Read the files that were skipped"),
+        )  # fmt: skip
         for each in (self.add_files, self.add_folder, self.remove):
             row.addWidget(each)
         row.addStretch(1)
@@ -164,13 +176,13 @@ class ImportDialog(QDialog):
     def _bottom(self) -> QVBoxLayout:
         self.folder = QLineEdit()
         self.folder.setObjectName("new_folder")
-        self.folder.setAccessibleName(say("Project folder"))
+        self.folder.setAccessibleName(gettext("Project folder"))
         self.folder.setToolTip(
-            say("Where the project is kept; the survey's files stay where they are")
+            gettext("Folder of the new project; the survey files are not moved or copied")
         )
-        self.browse = widgets.button("Browse…", "new_folder_browse")
+        self.browse = widgets.button(gettext("Browse…"), "new_folder_browse")
         self.browse.setAutoDefault(False)
-        head = widgets.label("Project folder")
+        head = widgets.label(gettext("Project folder"))
         head.setBuddy(self.folder)
         self.place = QWidget()
         upper = QHBoxLayout(self.place)
@@ -183,7 +195,7 @@ class ImportDialog(QDialog):
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )
         self.ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
-        self.ok.setText(say("Create project"))
+        self.ok.setText(gettext("Create project"))
         self.ok.setObjectName("new_ok")
         self.ok.setProperty("primary", True)
         for standard in self.buttons.buttons():
@@ -250,8 +262,16 @@ class ImportDialog(QDialog):
         if not self._own_folder:
             proposed = proposed_folder(intake)
             self.folder.setText("" if proposed is None else str(proposed))
-        late = sum(bool(intake.time_remarks(line)) for line in intake.lines)
-        self.tabs.setTabText(TIMELINE, say(f"Timeline ({late} to look at)" if late else "Timeline"))
+        count = sum(bool(intake.time_remarks(line)) for line in intake.lines)
+        title = (
+            gettext(
+                Plural("Timeline ({count:n} line to check)", "Timeline ({count:n} lines to check)"),
+                count=count,
+            )
+            if count
+            else gettext("Timeline")
+        )
+        self.tabs.setTabText(TIMELINE, title)
         self._show_progress()
         self._show_reason()
 
@@ -275,22 +295,30 @@ class ImportDialog(QDialog):
     def _show_reason(self) -> None:
         problem = self._problem()
         waiting = any(entry.pending for entry in self.intake.entries)
-        self.reason.setText(say(problem) if problem else self._hint())
+        self.reason.setText(problem or self._hint())
         wrong = bool(problem) and bool(self.intake.entries) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
         self.ok.setEnabled(not problem)
 
     def _problem(self) -> str:
-        """Why it cannot be done yet; empty where it can."""
-        return self.intake.problem(self.folder.text())
+        """Why the import is not complete; empty where it is."""
+        return say(self.intake.problem(self.folder.text()))
 
     def _hint(self) -> str:
-        """What to think of before it is done, as it is said."""
-        if not (doubts := self.mounting.doubts):
+        """Warning about the mounting before the import."""
+        if not (warnings := self.mounting.doubts):
             return ""
-        more = f", {say(f'and {len(doubts) - 1} more')}" if doubts[1:] else ""
-        return f"{say_message(doubts[0])} ({say('Mounting and accuracies')}{more})"
+        warning = say_message(warnings[0])
+        if more := len(warnings) - 1:
+            return gettext(
+                Plural(
+                    "{warning} (Mounting and accuracies, and {count:n} more warning)",
+                    "{warning} (Mounting and accuracies, and {count:n} more warnings)",
+                ),
+                warning=warning, count=more,
+            )  # fmt: skip
+        return gettext("{warning} (Mounting and accuracies)", warning=warning)
 
     # -- what is asked -----------------------------------------------------------------------
 
@@ -304,18 +332,18 @@ class ImportDialog(QDialog):
 
     def _ask_files(self) -> None:
         names, _ = QFileDialog.getOpenFileNames(
-            self, say("Survey files"), self._start(), survey_files()
+            self, gettext("Survey files"), self._start(), survey_files()
         )
         self.add([Path(name) for name in names])
 
     def _ask_folder(self) -> None:
         name = QFileDialog.getExistingDirectory(
-            self, say("Folder with survey files"), self._start()
+            self, gettext("Folder with survey files"), self._start()
         )
         self.add([Path(name)] if name else [])
 
     def _ask_project_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(self, say("Project folder"), self.folder.text())
+        name = QFileDialog.getExistingDirectory(self, gettext("Project folder"), self.folder.text())
         if name:
             self.folder.setText(name)
             self._folder_typed(name)
@@ -333,17 +361,14 @@ class ImportDialog(QDialog):
         self._drop()
 
     def _failed(self, error: BaseException) -> None:
-        """A folder that cannot be listed: the one thing that has no row to stand in."""
+        """Show an error that belongs to no file: a folder that cannot be listed."""
         self._show()
-        self.reason.setText(say(describe(error)[0]))
+        self.reason.setText(describe(error)[0])
 
     # -- the end -----------------------------------------------------------------------------
 
     def keyPressEvent(self, event) -> None:
-        """Enter presses the button that has the focus and never one that has not.
-
-        It ends the typing of an EPSG code, not the dialogue.
-        """
+        """Let Enter press only the button with the focus, so that it can end typing in a field."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             focused = self.focusWidget()
             if isinstance(focused, QPushButton):
@@ -352,7 +377,7 @@ class ImportDialog(QDialog):
         super().keyPressEvent(event)
 
     def reject(self) -> None:
-        """On Escape, or where the window is closed: what was put in is not lost unasked."""
+        """Ask before files are discarded, on Escape or when the dialogue is closed."""
         if all(entry.given is not None for entry in self.intake.entries) or Questions.leave(self):
             self._drop()
 
@@ -360,7 +385,7 @@ class ImportDialog(QDialog):
         self.done(QDialog.DialogCode.Rejected)
 
     def done(self, result: int) -> None:
-        """Stop the worker, and remember columns where the project is made."""
+        """Stop the worker, and store the meanings of columns where the project is made."""
         self.work.close()
         if result == QDialog.DialogCode.Accepted:
             self._settings.keep_column_mappings(self.intake.mappings)

@@ -1,21 +1,34 @@
-"""The dialogue before any file is in it: what to bring."""
+"""Empty state of the import dialogue: which files to add."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QVBoxLayout
 
 from lispac.gui import theme
 from lispac.gui.panels import widgets
+from lispac.language import N_, gettext
 
-_WANTED = (
-    ("ferry", "Trajectory", "SBET, POSPac or Exail (iXblue) text, or any text with columns"),
-    ("chart-bell-curve", "Its accuracies, if there are any", "smrmsg, or a text export of them"),
-    ("dots-hexagon", "A scan file for each line",
-     "LAS, LAZ, E57, PLY, PCD, text or CIDCO; in the scanner's frame or on the map"),
-)  # fmt: skip
+_FILES = (
+    (
+        "ferry",
+        N_("Trajectory"),
+        N_("SBET, POSPac or Exail (iXblue) text, or other text with columns"),
+    ),
+    (
+        "chart-bell-curve",
+        N_("Accuracies of the trajectory, if available"),
+        N_("smrmsg, or a text export of it"),
+    ),
+    (
+        "dots-hexagon",
+        N_("A scan file for each line"),
+        N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO; in the scanner frame or georeferenced"),
+    ),
+)
+"""Icon, kind and formats of the files."""
 
 
 class EmptyState(QFrame):
-    """Where files are to be dropped, and which."""
+    """Area for dropped files, with a list of the files to add."""
 
     files_asked = Signal()
     folder_asked = Signal()
@@ -30,19 +43,19 @@ class EmptyState(QFrame):
         mark = QLabel()
         mark.setPixmap(theme.icon("tray-arrow-down", theme.ACCENT).pixmap(44, 44))
         outer.addWidget(mark, 0, Qt.AlignmentFlag.AlignHCenter)
-        head = widgets.label("Drop the survey's files or their folder here", "heading")
+        head = widgets.label(gettext("Drop the survey files or their folder here"), "heading")
         head.setStyleSheet("font-size: 17px;")
         outer.addWidget(head, 0, Qt.AlignmentFlag.AlignHCenter)
         outer.addSpacing(6)
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
         grid.setVerticalSpacing(8)
-        for row, (icon, what, how) in enumerate(_WANTED):
+        for row, (icon, kind, formats) in enumerate(_FILES):
             picture = QLabel()
             picture.setPixmap(theme.icon(icon, theme.MUTED).pixmap(20, 20))
             grid.addWidget(picture, row, 0)
-            grid.addWidget(widgets.label(what, "heading"), row, 1)
-            grid.addWidget(widgets.label(how, "muted"), row, 2)
+            grid.addWidget(widgets.label(gettext(kind), "heading"), row, 1)
+            grid.addWidget(widgets.label(gettext(formats), "muted"), row, 2)
         middle = QHBoxLayout()
         middle.addStretch(1)
         middle.addLayout(grid)
@@ -52,10 +65,10 @@ class EmptyState(QFrame):
         row = QHBoxLayout()
         row.addStretch(1)
         self.files = widgets.button(
-            "Add files…", "import_first_files", icon="file-plus-outline", primary=True
+            gettext("Add files…"), "import_first_files", icon="file-plus-outline", primary=True
         )
         self.folder = widgets.button(
-            "Add folder…", "import_first_folder", icon="folder-plus-outline"
+            gettext("Add folder…"), "import_first_folder", icon="folder-plus-outline"
         )
         for made, signal in ((self.files, self.files_asked), (self.folder, self.folder_asked)):
             made.clicked.connect(signal)
@@ -65,10 +78,13 @@ class EmptyState(QFrame):
         outer.addSpacing(8)
         outer.addWidget(
             widgets.label(
-                "Nothing is copied or changed: each file is looked into, and you see what it is "
-                "before the project is made.",
+                gettext(
+                    "The files are only read. Their contents are shown before the project is "
+                    "created."
+                ),
                 "muted",
             ),
-            0, Qt.AlignmentFlag.AlignHCenter,
-        )  # fmt: skip
+            0,
+            Qt.AlignmentFlag.AlignHCenter,
+        )
         outer.addStretch(2)

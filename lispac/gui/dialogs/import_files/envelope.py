@@ -1,4 +1,4 @@
-"""A long series as few points as a screen can show, nothing of its height lost."""
+"""Envelope of a long time series, with as many points as a screen can show."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,20 +6,20 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 BINS = 1500
-"""More than a screen has columns for an axis."""
+"""Intervals of the envelope; more than an axis has pixels."""
 
 
 def envelope(
     time: Array, values: Array, *, bins: int = BINS, longest_gap: float = np.inf
 ) -> tuple[Array, Array]:
-    """Smallest and largest value of each stretch of time; not a number where there is a gap.
+    """Smallest and largest value of each time interval, with NaN at gaps.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds, increasing
     values : ndarray of shape (n,)
     longest_gap : float, seconds
-        Longer ones break the line.
+        Longer gaps break the line.
 
     Returns
     -------

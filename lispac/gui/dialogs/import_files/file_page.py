@@ -1,4 +1,4 @@
-"""The selected file: what there is to say, its options, its facts and its first rows."""
+"""Page of the selected file: remarks, options, contents and first rows."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -18,17 +18,18 @@ from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
+from lispac.language import gettext
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 
 ASSUMED = "assumed"
-"""A fact of readers of points that is an assumption."""
+"""Fact of a file of points that is an assumption."""
 
 OF_THE_FILE = {
     "attributes", "columns", "comments", "coordinate system", "fields", "folder", "header",
     "written by",
 }  # fmt: skip
-"""Facts that are told in the words of the file."""
+"""Facts that are quoted from the file and not translated."""
 NOTHING = ("none", "not known", "not named", "not stated")
 
 
@@ -44,7 +45,7 @@ class FilePage(QWidget):
         self._stack = QStackedLayout(self)
         none = QWidget()
         widgets.column(none).addWidget(
-            widgets.label("Select a file above to see what is in it.", "muted")
+            widgets.label(gettext("Select a file above to see its contents."), "muted")
         )
         none.layout().addStretch(1)
         self._stack.addWidget(none)
@@ -70,7 +71,7 @@ class FilePage(QWidget):
         beside = QVBoxLayout(right)
         beside.setContentsMargins(6, 0, 0, 0)
         beside.setSpacing(4)
-        self.preview_head = widgets.label("First rows", "heading")
+        self.preview_head = widgets.label(gettext("First rows"), "heading")
         beside.addWidget(self.preview_head)
         self.preview = Preview()
         self.preview.meaning_chosen.connect(self.meaning_chosen)
@@ -85,12 +86,12 @@ class FilePage(QWidget):
         rows = QVBoxLayout(body)
         rows.setContentsMargins(0, 0, 6, 0)
         rows.setSpacing(6)
-        self._options_head = widgets.label("How it is read", "heading")
+        self._options_head = widgets.label(gettext("Reading options"), "heading")
         rows.addWidget(self._options_head)
         rows.addWidget(self.options)
-        rows.addWidget(widgets.label("What is in it", "heading"))
+        rows.addWidget(widgets.label(gettext("File contents"), "heading"))
         rows.addLayout(self.facts)
-        self._assumed_head = widgets.label("Taken for granted", "heading")
+        self._assumed_head = widgets.label(gettext("Assumptions"), "heading")
         rows.addWidget(self._assumed_head)
         rows.addWidget(self.assumptions)
         rows.addStretch(1)
@@ -99,17 +100,17 @@ class FilePage(QWidget):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setMinimumWidth(330)
-        area.setAccessibleName(say("How the file is read, and what is in it"))
+        area.setAccessibleName(gettext("Reading options and contents of the file"))
         area.setWidget(body)
         body.setAutoFillBackground(False)
         return area
 
     def show_entry(self, intake: Intake, entry: Entry | None) -> None:
-        """Show a file; None for none selected."""
+        """Show a file; None where none is selected."""
         self._stack.setCurrentIndex(0 if entry is None else 1)
         if entry is None:
             return
-        fine = "" if entry.pending or entry.role is None else "No problems found."
+        fine = "" if entry.pending or entry.role is None else gettext("No problems found.")
         self.remarks.show_remarks(intake.remarks(entry), fine)
         self.options.show_entry(entry)
         for changing in (self.options, self.preview):
@@ -122,7 +123,9 @@ class FilePage(QWidget):
         self.preview_head.setVisible(rows)
         self.preview.setVisible(rows)
         self.preview_head.setText(
-            say("First rows – choose over each column what it is" if mapped else "First rows")
+            gettext("First rows – choose the meaning of each column above it")
+            if mapped
+            else gettext("First rows")
         )
 
     def _show_facts(self, entry: Entry) -> None:
@@ -136,18 +139,22 @@ class FilePage(QWidget):
         assumed = [] if finding is None else list(finding.assumptions)
         if ASSUMED in facts:
             assumed += [facts.pop(ASSUMED)]
-        facts = {"Folder": str(entry.path.parent)} | facts
+        self._add_fact(gettext("Folder"), str(entry.path.parent))
         for name, value in facts.items():
-            head = widgets.label(words.option_name(name), "muted")
-            head.setAlignment(Qt.AlignmentFlag.AlignTop)
-            said = widgets.label(wrap=True)
-            own = name.lower() in OF_THE_FILE and value not in NOTHING
-            said.setText(value if own else say(value))
-            said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-            self.facts.addRow(head, said)
+            is_quoted = name.lower() in OF_THE_FILE and value not in NOTHING
+            self._add_fact(words.option_name(name), value if is_quoted else say(value))
         self.assumptions.setText("\n".join(say_sentences(assumed)))
         self._assumed_head.setVisible(bool(assumed))
         self.assumptions.setVisible(bool(assumed))
+
+    def _add_fact(self, name: str, text: str) -> None:
+        head = widgets.label(role="muted")
+        head.setText(name)
+        head.setAlignment(Qt.AlignmentFlag.AlignTop)
+        value = widgets.label(wrap=True)
+        value.setText(text)
+        value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.facts.addRow(head, value)
 
     def _remedy(self, remedy, _place: int) -> None:
         if remedy.ask:

@@ -1,4 +1,4 @@
-"""The files: one row each, with what it is, how it is read, and how it stands."""
+"""Table of the files to import: role, format, contents and state of each."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,22 +15,26 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
+from lispac.language import N_, gettext
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 
 FILE, ROLE, FORMAT, COUNT, SPAN, FRAME, STATE = range(7)
-_HEADS = ("File", "Role", "Format", "Points", "Time span (s)", "Frame", "State")
+_HEADS = (
+    N_("File"), N_("Role"), N_("Format"), N_("Points"), N_("Time span (s)"), N_("Frame"),
+    N_("State"),
+)  # fmt: skip
 _TIPS = (
-    "Name of the file; its folder is in the tip of each row",
-    "What the file is for the project",
-    "How the file is read; the surest comes first",
-    "Points of a line, states of a trajectory",
-    "First and last time, seconds, in the file's own time base",
-    "What the coordinates refer to",
-    "Whether there is something to look at; select the row to read it",
+    N_("Name of the file; the tip of each row shows its folder"),
+    N_("Role of the file in the project"),
+    N_("Format of the file; the most likely is listed first"),
+    N_("Points of a line or states of a trajectory"),
+    N_("First and last time in seconds, in the time base of the file"),
+    N_("Frame of the coordinates"),
+    N_("Problems of the file; select the row to read them"),
 )
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -38,7 +42,7 @@ ROW = 28
 
 
 class FileTable(QTableWidget):
-    """Shows an intake; roles and formats are chosen in it."""
+    """Shows the files of an import; roles and formats are chosen in the table."""
 
     role_chosen = Signal(object, object)
     """Path, and role or None."""
@@ -50,11 +54,11 @@ class FileTable(QTableWidget):
     def __init__(self) -> None:
         super().__init__(0, len(_HEADS))
         self.setObjectName("import_files")
-        self.setAccessibleName(say("Files to be imported"))
-        self.setHorizontalHeaderLabels(say_all(list(_HEADS)))
+        self.setAccessibleName(gettext("Files to import"))
+        self.setHorizontalHeaderLabels([gettext(head) for head in _HEADS])
         for column, tip in enumerate(_TIPS):
             head = self.horizontalHeaderItem(column)
-            head.setToolTip(say(tip))
+            head.setToolTip(gettext(tip))
             head.setTextAlignment(_RIGHT if column in (COUNT, SPAN) else _LEFT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(ROW)
@@ -87,7 +91,7 @@ class FileTable(QTableWidget):
             self.selectRow(self._paths.index(path))
 
     def show_intake(self, intake: Intake) -> None:
-        """Fill in; rows of files that stay keep their widgets and the focus."""
+        """Show the files; rows that exist already keep their widgets and the focus."""
         self._keep([entry.path for entry in intake.entries])
         colours = theme.line_colours([str(entry.path) for entry in intake.lines])
         for row, entry in enumerate(intake.entries):
@@ -101,15 +105,15 @@ class FileTable(QTableWidget):
                 (SPAN, words.span(entry)),
                 (FRAME, words.frame(entry)),
             ):
-                self.item(row, column).setText(say(text))
-                self.item(row, column).setToolTip(widgets.plain_tip(say(text)))
+                self.item(row, column).setText(text)
+                self.item(row, column).setToolTip(widgets.plain_tip(text))
             state, colour = words.state(intake, entry)
             item = self.item(row, STATE)
-            item.setText(say(state))
+            item.setText(state)
             item.setForeground(QColor(colour))
             item.setIcon(words.state_icon(intake, entry))
-            tip = say("\n".join(remark.text for remark in intake.remarks(entry)) or state)
-            item.setToolTip(widgets.plain_tip(tip))
+            remarks = "\n".join(say(remark.text) for remark in intake.remarks(entry))
+            item.setToolTip(widgets.plain_tip(remarks or state))
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
@@ -145,32 +149,36 @@ class FileTable(QTableWidget):
         roles: tuple[Kind | None, ...] = (*entry.roles, None)
         if entry.given is not None:
             roles = (entry.role,)
-        items = [(words.ROLES[role], role) for role in roles]
+        items = [(gettext(words.ROLES[role]), role) for role in roles]
         self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
 
     def _fill_format(self, row: int, entry: Entry) -> None:
         formats = entry.formats if entry.given is None else (entry.format,)
-        items: list[tuple[str, object]] = [(each.name, each.key) for each in formats if each]
+        items: list[tuple[str, object]] = [(say(each.name), each.key) for each in formats if each]
         chosen = entry.format.key if entry.format is not None and items else None
-        self._fill_choice(row, FORMAT, entry, items or [("–", None)], chosen, self.format_chosen)
+        items = items or [(words.NO_VALUE, None)]
+        self._fill_choice(row, FORMAT, entry, items, chosen, self.format_chosen)
 
     def _fill_choice(self, row: int, column: int, entry: Entry, items, chosen, signal) -> None:
-        """A list where there is something to choose, plain words where there is not."""
+        """Show a list where there are several items, otherwise plain text."""
         path, item = entry.path, self.item(row, column)
         text = next((text for text, data in items if data == chosen), items[0][0])
-        item.setToolTip(widgets.plain_tip(say(text)))
+        item.setToolTip(widgets.plain_tip(text))
         combo = self.cellWidget(row, column)
         if len(items) < 2:
             if combo is not None:
                 self.removeCellWidget(row, column)
-            item.setText(say(text))
+            item.setText(text)
             item.setForeground(QColor(theme.MUTED if chosen is None else theme.TEXT))
             return
         item.setText("")
         if combo is None:
-            what = "role" if column == ROLE else "format"
-            combo = widgets.Choice(f"{what}_{path.name}", ["–"], _TIPS[column])
-            combo.setAccessibleName(say(f"{what.capitalize()} of {path.name}"))
+            name, label = (
+                ("role", N_("Role of {file}")) if column == ROLE else
+                ("format", N_("Format of {file}"))
+            )  # fmt: skip
+            combo = widgets.Choice(f"{name}_{path.name}", [words.NO_VALUE], gettext(_TIPS[column]))
+            combo.setAccessibleName(gettext(label, file=path.name))
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
@@ -181,20 +189,19 @@ class FileTable(QTableWidget):
 
 
 def _no_swatch() -> QIcon:
-    """Keeps the names of files that are no lines in one column with the others."""
+    """Transparent icon, which aligns the names of files that are not lines."""
     pixmap = QPixmap(12, 12)
     pixmap.fill(Qt.GlobalColor.transparent)
     return QIcon(pixmap)
 
 
 def _fill(combo: QComboBox, items: Sequence[tuple[str, object]], chosen: object) -> None:
-    """Fill a list without telling anyone."""
-    now = [(combo.itemText(k), combo.itemData(k)) for k in range(combo.count())]
+    """Fill a list without emitting signals."""
+    present = [(combo.itemText(k), combo.itemData(k)) for k in range(combo.count())]
     combo.blockSignals(True)
-    wanted = [(say(text), data) for text, data in items]
-    if now != wanted:
+    if present != list(items):
         combo.clear()
-        for text, data in wanted:
+        for text, data in items:
             combo.addItem(text, data)
     combo.setCurrentIndex(next((k for k, (_, data) in enumerate(items) if data == chosen), 0))
     combo.blockSignals(False)

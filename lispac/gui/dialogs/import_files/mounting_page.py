@@ -1,41 +1,41 @@
-"""What the user knows of the mounting and of the accuracies: as the settings of the project."""
+"""Page of the import dialogue for the mounting and the accuracies of a new project."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QGridLayout, QLabel, QScrollArea, QWidget
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.io.sensor_file import PosState, ScannerFigures
+from lispac.language import gettext
 from lispac.messages import Message
 from lispac.project import Settings
 from lispac.survey.lever_arm import lever_arm_doubts
 from lispac.workflow.sensors import Library
 
 GEOGRAPHIC = ("new_latitude", "new_longitude")
-"""Typed in degrees, whatever angles are shown in."""
+"""Always in degrees, whatever the unit of angles."""
 
 
 class MountingPage(QScrollArea):
-    """Lever arm, prior boresight, origin and sigmas."""
+    """Fields for lever arm, prior boresight, origin and standard deviations."""
 
     changed = Signal()
 
     def __init__(self, library: Library) -> None:
         super().__init__()
         self.sensors = SensorChoice(library, "new")
-        self.setAccessibleName(say("Mounting and accuracies"))
+        self.setAccessibleName(gettext("Mounting and accuracies"))
         self.setWidgetResizable(True)
         body = QWidget()
         grid = QGridLayout(body)
         grid.setContentsMargins(16, 12, 16, 12)
         grid.setHorizontalSpacing(36)
         grid.setVerticalSpacing(theme.SPACE)
-        grid.addWidget(widgets.label("Mounting", "heading"), 0, 0)
+        grid.addWidget(widgets.label(gettext("Mounting"), "heading"), 0, 0)
         grid.addLayout(self._mounting(), 1, 0, Qt.AlignmentFlag.AlignTop)
-        grid.addWidget(widgets.label("Uncertainties", "heading"), 0, 1)
+        grid.addWidget(widgets.label(gettext("Uncertainties"), "heading"), 0, 1)
         grid.addLayout(self._uncertainties(), 1, 1, Qt.AlignmentFlag.AlignTop)
         grid.setColumnStretch(0, 1)
         grid.setColumnStretch(1, 1)
@@ -47,7 +47,7 @@ class MountingPage(QScrollArea):
             field.valueChanged.connect(self._draw)
 
     def settings(self) -> Settings:
-        """What the fields say."""
+        """Settings of the project from the fields."""
         noise, angle = self.lidar_sigma.value() / 1000, self.angle_sigma.value()
         return Settings(
             lever_arm=self.lever_arm.value(),
@@ -65,38 +65,46 @@ class MountingPage(QScrollArea):
         return lever_arm_doubts(self.lever_arm.value())
 
     def show_accuracy(self, name: str) -> None:
-        """Say where the POS accuracies come from: a file's name, or empty for the fields."""
+        """Show the accuracy file by its name, or that the fields apply where it is empty."""
         self.position_sigma.setEnabled(not name)
         self.attitude_sigma.setEnabled(not name)
         self._source.setText(
-            say(f"Position and attitude: from {name}." if name
-            else "Position and attitude: no accuracy file, so these hold at all times.")
-        )  # fmt: skip
+            gettext("Position and attitude accuracies: from {file}.", file=name)
+            if name
+            else gettext(
+                "Position and attitude accuracies: no accuracy file; the values below apply at all "
+                "times."
+            )
+        )
 
     def show_prior_needed(self, needed: bool) -> None:
-        """Say that the prior boresight is the one that georeferenced lines were made with."""
+        """Show which mounting georeferenced lines need."""
         self._prior.setVisible(needed)
 
     def _mounting(self) -> QFormLayout:
         form = _form()
         self.lever_arm = widgets.lever_arm_fields("new_lever_arm")
         self.boresight = widgets.boresight_fields("new_boresight")
-        form.addRow(say("Lever arm"), self.lever_arm)
-        form.addRow(say("Prior boresight"), self.boresight)
+        form.addRow(gettext("Lever arm"), self.lever_arm)
+        form.addRow(gettext("Prior boresight"), self.boresight)
         self.view = MountingView("new_mounting")
         form.addRow(self.view)
         self._prior = widgets.label(
-            "Lines on the map are taken back to the scanner: state the lever arm and the boresight "
-            "that they were made with.",
+            gettext(
+                "Georeferenced lines are transformed back to the scanner frame. Enter the lever "
+                "arm and the boresight that they were georeferenced with."
+            ),
             "hint", wrap=True, name="new_prior_hint",
         )  # fmt: skip
         self._prior.hide()
         form.addRow(self._prior)
-        self.origin_given = QCheckBox(say("Set the origin of the local frame"))
+        self.origin_given = QCheckBox(gettext("Set the origin of the local frame"))
         self.origin_given.setObjectName("new_origin_given")
-        self.origin_given.setToolTip(say("Without it, the mean position of the trajectory is used"))
+        self.origin_given.setToolTip(
+            gettext("Otherwise the origin is the mean position of the trajectory")
+        )
         self.origin = widgets.Triple(
-            ("Latitude", "Longitude", "Height"),
+            (gettext("Latitude"), gettext("Longitude"), gettext("Height")),
             [
                 _plain("new_latitude", " °", 8, -90, 90),
                 _plain("new_longitude", " °", 8, -180, 360),
@@ -106,7 +114,7 @@ class MountingPage(QScrollArea):
         self.origin.setEnabled(False)
         self.origin_given.toggled.connect(self.origin.setEnabled)
         form.addRow(QLabel(), self.origin_given)
-        form.addRow(say("Origin"), self.origin)
+        form.addRow(gettext("Origin"), self.origin)
         return form
 
     def _uncertainties(self) -> QFormLayout:
@@ -114,39 +122,42 @@ class MountingPage(QScrollArea):
         usual = Settings(lever_arm=(0.0, 0.0, 0.0))
         self.lidar_sigma = widgets.number(
             "new_lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
-            tip="Standard deviation of one LiDAR point on each axis, millimetres",
+            tip=gettext("Standard deviation of a LiDAR point on each axis, millimetres"),
         )  # fmt: skip
         self.lidar_sigma.setValue(usual.lidar_sigma * 1000)
         self.lidar_sigma.setMaximumWidth(140)
         self.position_sigma = widgets.Triple(
-            ("North", "East", "Down"),
+            (gettext("North"), gettext("East"), gettext("Down")),
             [_plain(f"new_sigma_{axis}", " m", 4, 0, 100) for axis in ("n", "e", "d")],
         )
         self.position_sigma.set_value(usual.position_sigma)
         self.attitude_sigma = widgets.Triple(
-            ("Roll", "Pitch", "Heading"),
+            (gettext("Roll"), gettext("Pitch"), gettext("Heading")),
             [_plain(f"new_sigma_{axis}", " °", 4, 0, 90) for axis in ("roll", "pitch", "heading")],
         )
         self.attitude_sigma.set_value(usual.attitude_sigma_deg)
         self.angle_sigma = _plain("new_angle_sigma", " °", 4, 0, 10)
-        self.angle_sigma.setAccessibleName(say("Beam angular noise (1 σ)"))
-        self.angle_sigma.setSpecialValueText(say("none given"))
+        self.angle_sigma.setAccessibleName(gettext("Beam angular noise (1 σ)"))
+        self.angle_sigma.setSpecialValueText(gettext("none given"))
         self.angle_sigma.setToolTip(
-            say("Sigma of the beam's direction; at 0 the noise is the same on each axis")
+            gettext(
+                "Standard deviation of the beam direction; with 0 the noise is the same on each "
+                "axis"
+            )
         )
         self.angle_sigma.setMaximumWidth(140)
         self.sensors.scanner_chosen.connect(self._take_noise)
         self.sensors.pos_chosen.connect(self._take_sigmas)
-        form.addRow(say("Scanner"), self.sensors.scanner)
+        form.addRow(gettext("Scanner"), self.sensors.scanner)
         form.addRow("", self.sensors.scanner_origin)
-        form.addRow(say("LiDAR noise (1 σ)"), self.lidar_sigma)
-        form.addRow(say("Beam angular noise (1 σ)"), self.angle_sigma)
-        form.addRow(say("INS/GNSS"), self.sensors.pos)
+        form.addRow(gettext("LiDAR noise (1 σ)"), self.lidar_sigma)
+        form.addRow(gettext("Beam angular noise (1 σ)"), self.angle_sigma)
+        form.addRow(gettext("INS/GNSS"), self.sensors.pos)
         form.addRow("", self.sensors.pos_origin)
         self._source = widgets.label("", "muted", wrap=True, name="new_sigma_source")
         form.addRow(self._source)
-        form.addRow(say("Position (1 σ)"), self.position_sigma)
-        form.addRow(say("Attitude (1 σ)"), self.attitude_sigma)
+        form.addRow(gettext("Position (1 σ)"), self.position_sigma)
+        form.addRow(gettext("Attitude (1 σ)"), self.attitude_sigma)
         return form
 
     def _draw(self) -> None:

@@ -1,4 +1,4 @@
-"""What a file does not say by itself: one field for each option, preset as found."""
+"""Form with the reading options of a file, preset with detected or default values."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
@@ -7,15 +7,16 @@ from lispac.gui.dialogs.import_files import words
 from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
+from lispac.language import gettext
 from lispac.workflow.intake_entry import Entry
 
 _GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
 _SCANNER = ("unit",)
-"""Options that mean nothing in the other frame."""
+"""Options that apply to georeferenced points or to points in the scanner frame only."""
 
 
 class OptionsForm(QWidget):
-    """Fields of one file's options."""
+    """Fields for the options of a file."""
 
     option_stated = Signal(str, str)
     """Name and value."""
@@ -34,7 +35,7 @@ class OptionsForm(QWidget):
         self.system = widgets.label("", "muted", wrap=True, name="import_system")
 
     def show_entry(self, entry: Entry) -> None:
-        """Show a file's options as they stand."""
+        """Show the options of a file."""
         options = _shown(entry)
         which = (entry.path, entry.format, tuple(option.name for option in options))
         if which != self._shown:
@@ -50,16 +51,20 @@ class OptionsForm(QWidget):
                 field.setText(settled[option.name])
                 field.setCursorPosition(0)
             field.blockSignals(False)
-            own = option.name in stated
-            self._labels[option.name].setProperty("role", "heading" if own else "")
+            is_stated = option.name in stated
+            self._labels[option.name].setProperty("role", "heading" if is_stated else "")
             self._labels[option.name].style().polish(self._labels[option.name])
-            origin = "Stated by you." if own else "As found in the file, or by default."
+            origin = (
+                gettext("Specified by the user.")
+                if is_stated
+                else gettext("Detected in the file, or default value.")
+            )
             (meaning,) = say_sentences([option.meaning])
-            field.setToolTip(widgets.plain_tip(f"{meaning}\n{say(origin)}"))
+            field.setToolTip(widgets.plain_tip(f"{meaning}\n{origin}"))
         self._show_system(entry)
 
     def ask(self, name: str) -> None:
-        """Take the focus to an option's field."""
+        """Set the focus to the field of an option."""
         if name in self.fields:
             self.fields[name].setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -72,7 +77,7 @@ class OptionsForm(QWidget):
             field = self._field(option)
             label = widgets.label(words.option_name(option.name))
             label.setBuddy(field)
-            field.setAccessibleName(say(words.option_name(option.name)))
+            field.setAccessibleName(words.option_name(option.name))
             self.fields[option.name], self._labels[option.name] = field, label
             self._form.addRow(label, field)
             if option.name == "crs":
@@ -84,7 +89,7 @@ class OptionsForm(QWidget):
             combo = widgets.Choice(f"option_{name}", [""], option.meaning)
             combo.clear()
             for value in option.choices:
-                combo.addItem(say(words.option_value(name, value)), value)
+                combo.addItem(words.option_value(name, value), value)
             combo.setMinimumContentsLength(12)
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -94,7 +99,7 @@ class OptionsForm(QWidget):
         line = QLineEdit()
         line.setObjectName(f"option_{name}")
         if name == "crs":
-            line.setPlaceholderText(say("EPSG:32619, say"))
+            line.setPlaceholderText(gettext("such as {code}", code="EPSG:32619"))
         line.editingFinished.connect(lambda: self._typed(name, line))
         return line
 
@@ -112,7 +117,11 @@ class OptionsForm(QWidget):
             self.system.setVisible(False)
             return
         self.system.setVisible(True)
-        self.system.setText(say(place.error or f"This is {place.system}."))
+        self.system.setText(
+            say(place.error)
+            if place.error
+            else gettext("Coordinate system: {system}.", system=place.system)
+        )
         self.system.setProperty("role", "error" if place.error else "muted")
         self.system.style().polish(self.system)
 

@@ -1,4 +1,4 @@
-"""The first rows of a file; over the columns of a text file stands what each of them means."""
+"""Table with the first rows of a file, and lists for the meanings of text columns."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
@@ -7,26 +7,27 @@ from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 from lispac.gui import theme
 from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
+from lispac.language import gettext
 from lispac.workflow.intake_columns import PASSED_OVER, has_columns, meanings, word_of
 from lispac.workflow.intake_entry import Entry
 
 NAMED = ("las", "e57")
-"""Formats whose files name their columns; those names stay as they are. Of others they are ours."""
+"""Formats whose files name their columns; these names are not translated."""
 MOST_COLUMNS = 60
 NARROWEST = 118
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class Preview(QTableWidget):
-    """Rows as text; meanings of columns as lists to choose from in the first row."""
+    """Rows as text; for text files, the first row has a list for the meaning of each column."""
 
     meaning_chosen = Signal(int, str)
-    """Column, and what it means."""
+    """Column and its meaning."""
 
     def __init__(self) -> None:
         super().__init__(0, 0)
         self.setObjectName("import_preview")
-        self.setAccessibleName(say("First rows of the file"))
+        self.setAccessibleName(gettext("First rows of the file"))
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -38,7 +39,7 @@ class Preview(QTableWidget):
         self.combos: list[widgets.Choice] = []
 
     def show_entry(self, entry: Entry) -> None:
-        """Show a file's rows."""
+        """Show the first rows of a file."""
         rows = () if entry.finding is None else entry.finding.rows
         columns = min(max((len(row) for row in rows), default=0), MOST_COLUMNS)
         mapped = entry.format is not None and entry.role is not None and has_columns(entry.format)
@@ -62,7 +63,7 @@ class Preview(QTableWidget):
         self.setColumnCount(columns)
         names = list(rows[0][:columns]) if rows else []
         if mapped:
-            heads = [say(f"Column {k + 1}") for k in range(columns)]
+            heads = [gettext("Column {number:n}", number=k + 1) for k in range(columns)]
         elif entry.format is not None and entry.format.key in NAMED:
             heads = names
         else:
@@ -80,16 +81,16 @@ class Preview(QTableWidget):
             self.setRowHeight(0, 30 if mapped else 24)
         self.resizeColumnsToContents()
         for k in range(columns):
-            wanted = self.columnWidth(k) + 10
-            self.setColumnWidth(k, max(wanted, NARROWEST) if mapped else wanted)
+            width = self.columnWidth(k) + 10
+            self.setColumnWidth(k, max(width, NARROWEST) if mapped else width)
 
     def _add_combo(self, entry: Entry, column: int) -> None:
         assert entry.format is not None
-        combo = widgets.Choice(f"column_{column + 1}", [""], "What this column is")
+        combo = widgets.Choice(f"column_{column + 1}", [""], gettext("Meaning of this column"))
         combo.clear()
         for meaning in meanings(entry.format):
             combo.addItem(say(word_of(meaning)), meaning)
-        combo.setAccessibleName(say(f"Meaning of column {column + 1}"))
+        combo.setAccessibleName(gettext("Meaning of column {number:n}", number=column + 1))
         combo.setItemData(0, QColor(theme.MUTED), Qt.ItemDataRole.ForegroundRole)
         combo.activated.connect(lambda: self.meaning_chosen.emit(column, combo.currentData()))
         self.setCellWidget(0, column, combo)

@@ -1,4 +1,4 @@
-"""What a trajectory looks like: accuracies, track, speed and attitude, with the lines marked."""
+"""Figures of a trajectory: accuracies, track, speed and attitude, with the lines marked."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -11,33 +11,35 @@ from numpy.typing import NDArray
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.envelope import envelope
-from lispac.gui.language import say
+from lispac.gui.dialogs.import_files.words import time_axis
+from lispac.gui.language import local_number
 from lispac.gui.panels.ticks import in_units
 from lispac.io.line_times import LineTimes
 from lispac.io.trajectory_facts import motion_of
+from lispac.language import gettext
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake import Intake
 
 Array = NDArray[np.float64]
 STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
-"""Two of the same value, as north and east often are, stay visible."""
+"""Line styles by which equal values, such as north and east, stay visible."""
 TEXT, SMALL = 9, 8
 MOST_STATES = 10_000
-"""Of a track that are drawn."""
+"""Points of a track that are drawn, at most."""
 LETTER = 0.0065
-"""Width of a small letter as part of an axis's width, in a figure as narrow as they come."""
+"""Width of a small letter as a share of the axis width, in the narrowest figure."""
 
 
 @dataclass(frozen=True, eq=False)
 class Quality:
-    """What the figures show.
+    """Data of the figures.
 
     Attributes
     ----------
     lines : tuple of (str, float, float, str)
         Name, start and end in the trajectory's time base, colour.
     axis : str
-        Name of the time base.
+        Title of the time axis.
     """
 
     track: Trajectory
@@ -62,8 +64,7 @@ class Quality:
             for line in intake.lines
             if isinstance(line.content, LineTimes)
         )
-        base = intake.time_base
-        axis = "Time, s" if base is None else f"{base.name[:1].upper()}{base.name[1:]}"
+        axis = time_axis(intake.time_base)
         return cls(intake.track, intake.sigmas, lines, intake.longest_gap, axis)
 
 
@@ -71,20 +72,23 @@ def accuracies(quality: Quality, figure: Figure) -> None:
     """Standard deviations of position and attitude over time (thesis figures 4.17 and 4.18)."""
     sigmas = quality.sigmas
     if sigmas is None:
-        _say(
+        _show_text(
             figure,
-            "No accuracy file: the sigmas typed under Mounting and accuracies hold at all times.\n"
-            "With smrmsg, or the standard deviations of a text export, their course appears here.",
+            gettext(
+                "No accuracy file: the standard deviations of the page Mounting and accuracies "
+                "apply at all times.\n"
+                "An smrmsg file, or a text export with standard deviations, is plotted here."
+            ),
         )
         return
     upper, lower = _axes(quality, figure, 2)
-    for k, name in enumerate(("North", "East", "Down")):
+    for k, name in enumerate((gettext("North"), gettext("East"), gettext("Down"))):
         _draw(upper, quality, sigmas.time, sigmas.position[:, k], k, name)
-    for k, name in enumerate(("Roll", "Pitch", "Heading")):
+    for k, name in enumerate((gettext("Roll"), gettext("Pitch"), gettext("Heading"))):
         values = np.degrees(sigmas.attitude[:, k])
         _draw(lower, quality, sigmas.time, values, k, name)
-    upper.set_ylabel(say("Position\nσ, m"), fontsize=TEXT)
-    lower.set_ylabel(say("Attitude\nσ, °"), fontsize=TEXT)
+    upper.set_ylabel(gettext("Position\nσ (m)"), fontsize=TEXT)
+    lower.set_ylabel(gettext("Attitude\nσ (°)"), fontsize=TEXT)
     in_units(upper.yaxis, "m")
     in_units(lower.yaxis, "°")
     for axes in (upper, lower):
@@ -93,7 +97,7 @@ def accuracies(quality: Quality, figure: Figure) -> None:
 
 
 def track(quality: Quality, figure: Figure) -> None:
-    """The way of the vessel on a map, with the lines in their colours."""
+    """Track of the vessel on a map, with the lines in their colours."""
     figure.clear()
     axes = figure.add_subplot()
     _dress(axes)
@@ -110,9 +114,9 @@ def track(quality: Quality, figure: Figure) -> None:
     gap = 2.0 * step * float(np.median(np.diff(path.time[:1000])))
     wide = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
     every = np.unique(np.concatenate([np.arange(0, len(path.time), step), wide, wide - 1]))
-    plotted(every, color=theme.WAITING, linewidth=1.2, label=say("Trajectory"))
+    plotted(every, color=theme.WAITING, linewidth=1.2, label=gettext("Trajectory"))
     for k, (name, start, end, colour) in enumerate(quality.lines):
-        # Lines of one course lie over each other: the earlier ones are wider and show beside.
+        # Lines on the same course overlap: earlier ones are wider and stay visible.
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
         first, last = np.searchsorted(path.time, (start, end))
         if last > first:
@@ -120,10 +124,10 @@ def track(quality: Quality, figure: Figure) -> None:
             plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
                     label=_plain(name))  # fmt: skip
     plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
-            linestyle="none", label=say("Start"))  # fmt: skip
+            linestyle="none", label=gettext("Start"))  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set_xlabel(say("East, m"), fontsize=TEXT)
-    axes.set_ylabel(say("North, m"), fontsize=TEXT)
+    axes.set_xlabel(gettext("East (m)"), fontsize=TEXT)
+    axes.set_ylabel(gettext("North (m)"), fontsize=TEXT)
     for axis in (axes.xaxis, axes.yaxis):
         in_units(axis, "m")
     axes.grid(color=theme.GRID, linewidth=0.8)
@@ -137,25 +141,27 @@ def motion(quality: Quality, figure: Figure) -> None:
     top, middle, bottom = _axes(quality, figure, 3)
     moved = motion_of(path.time, path.latitude, path.longitude, path.height)
     _draw(top, quality, path.time[moved.index], moved.speed, 0, "")
-    for k, name in enumerate(("Roll", "Pitch")):
+    for k, name in enumerate((gettext("Roll"), gettext("Pitch"))):
         _draw(middle, quality, path.time, np.degrees(path.attitude[:, k]), k, name)
-    # Unwrapped, so that no line runs across the figure where north is passed.
+    # Unwrapped, so that no line crosses the figure at north.
     heading = np.degrees(np.unwrap(path.attitude[:, 2]))
     _draw(bottom, quality, path.time, heading, 0, "")
     reach = float(np.ptp(heading))
     step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if reach / s <= 5), 360)
     bottom.yaxis.set_major_locator(MultipleLocator(step))
-    bottom.yaxis.set_major_formatter(FuncFormatter(lambda value, _: say(f"{value % 360:.3g}")))
-    top.set_ylabel(say("Speed\nm/s"), fontsize=TEXT)
+    bottom.yaxis.set_major_formatter(
+        FuncFormatter(lambda value, _: local_number(f"{value % 360:.3g}"))
+    )
+    top.set_ylabel(gettext("Speed\n(m/s)"), fontsize=TEXT)
     top.set_ylim(bottom=0)
-    middle.set_ylabel(say("Roll, pitch\n°"), fontsize=TEXT)
+    middle.set_ylabel(gettext("Roll, pitch\n(°)"), fontsize=TEXT)
     in_units(middle.yaxis, "°")
     _legend(middle)
-    bottom.set_ylabel(say("Heading\n°"), fontsize=TEXT)
+    bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=TEXT)
 
 
-PAGES: dict[str, Callable[[Quality, Figure], None]] = {
-    "Accuracies": accuracies, "Track": track, "Speed and attitude": motion,
+FIGURES: dict[str, Callable[[Quality, Figure], None]] = {
+    "accuracies": accuracies, "track": track, "motion": motion,
 }  # fmt: skip
 
 
@@ -170,13 +176,13 @@ def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
     start, end = float(quality.track.time[0]), float(quality.track.time[-1])
     last = all_axes[-1]
     last.set_xlim(start, end)
-    last.xaxis.set_major_formatter(FuncFormatter(lambda value, _: say(f"{value:,.10g}")))
-    last.set_xlabel(say(quality.axis), fontsize=TEXT)
+    last.xaxis.set_major_formatter(FuncFormatter(lambda value, _: local_number(f"{value:,.10g}")))
+    last.set_xlabel(quality.axis, fontsize=TEXT)
     first, free = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
         middle = (begin + finish) / 2
         half = LETTER * (end - start) * len(name) / 2
-        # Names that would lie over each other are left to the timeline.
+        # Names that would overlap are omitted; the timeline shows them.
         if start <= middle <= end and middle - half > free:
             free = middle + half
             first.annotate(
@@ -189,21 +195,19 @@ def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
 
 def _draw(axes: Axes, quality: Quality, time: Array, values: Array, k: int, name: str) -> None:
     shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
-    # Dashes mean nothing, and take long to draw, where a line runs up and down in each column.
+    # Dashes are invisible and slow to draw where each column has a vertical line.
     style = STYLES[k] if len(shown[0]) >= len(time) else "-"
-    axes.plot(
-        *shown, color=theme.scheme().series[k], linestyle=style, linewidth=1.2, label=say(name)
-    )
+    axes.plot(*shown, color=theme.scheme().series[k], linestyle=style, linewidth=1.2, label=name)
 
 
 def _usual_step(time: Array) -> float:
-    """Accuracies come at 1 Hz or slower: several of their steps are no gap."""
+    """Longest step without a gap: accuracies are given at 1 Hz or slower."""
     return 3 * float(np.median(np.diff(time))) if len(time) > 1 else 0.0
 
 
-def _say(figure: Figure, text: str) -> None:
+def _show_text(figure: Figure, text: str) -> None:
     figure.clear()
-    figure.text(0.5, 0.5, say(text), ha="center", va="center", fontsize=TEXT + 1, color=theme.MUTED)
+    figure.text(0.5, 0.5, text, ha="center", va="center", fontsize=TEXT + 1, color=theme.MUTED)
 
 
 def _plain(name: str) -> str:

@@ -1,24 +1,30 @@
-"""The trajectory's quality: one figure at a time, drawn when it is looked at."""
+"""Page with the quality of the trajectory: one figure at a time, drawn when visible."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import N_, gettext
 from lispac.workflow.intake import Intake
 
-NAMES = ("Accuracies", "Track", "Speed and attitude")
-_TIPS = (
-    "Standard deviations of position and attitude over time",
-    "The way of the vessel on a map, the lines in their colours",
-    "Speed, roll and pitch, heading over time",
-)
+ACCURACIES, TRACK, MOTION = "accuracies", "track", "motion"
+NAMES = {
+    ACCURACIES: N_("Accuracies"),
+    TRACK: N_("Track"),
+    MOTION: N_("Speed and attitude"),
+}
+"""Labels of the figures."""
+_TIPS = {
+    ACCURACIES: N_("Standard deviations of position and attitude over time"),
+    TRACK: N_("Track of the vessel on a map, with the lines in their colours"),
+    MOTION: N_("Speed, roll, pitch and heading over time"),
+}
 
 
 class QualityPage(QWidget):
-    """Buttons to choose the figure, and its canvas."""
+    """Buttons for the figures, and the canvas."""
 
     drawn = Signal()
 
@@ -30,8 +36,9 @@ class QualityPage(QWidget):
         row = QHBoxLayout()
         row.setSpacing(0)
         self.choice = QButtonGroup(self)
-        for k, (name, tip) in enumerate(zip(NAMES, _TIPS, strict=True)):
-            made = widgets.button(name, f"quality_{k}", tip=tip)
+        for k, (key, label) in enumerate(NAMES.items()):
+            name = gettext(label)
+            made = widgets.button(name, f"quality_{k}", tip=gettext(_TIPS[key]))
             made.setCheckable(True)
             made.setAutoDefault(False)
             made.setProperty("segment", True)
@@ -41,14 +48,16 @@ class QualityPage(QWidget):
             self.choice.addButton(made, k)
             row.addWidget(made)
         row.addSpacing(14)
-        self._hint = widgets.label("Shaded: the lines.", "muted")
+        self._hint = widgets.label(gettext("Shaded: lines"), "muted")
         row.addWidget(self._hint)
         row.addStretch(1)
         layout.addLayout(row)
         self._empty = widgets.label(
-            "Add the trajectory: its accuracies, its track and its motion appear here.",
-            "muted", wrap=True, name="quality_empty",
-        )  # fmt: skip
+            gettext("Add a trajectory to see its accuracies, track and motion."),
+            "muted",
+            wrap=True,
+            name="quality_empty",
+        )
         layout.addWidget(self._empty)
         self._layout = layout
         self.canvas: QWidget | None = None
@@ -58,16 +67,16 @@ class QualityPage(QWidget):
         self.choice.idClicked.connect(lambda _id: self._draw(anew=True))
 
     def show_intake(self, intake: Intake) -> None:
-        """Draw what there is, now or when the page is shown."""
+        """Draw the trajectory, now or when the page is shown."""
         before = self._intake
         self._intake = intake
-        if before is None or _seen(before) != _seen(intake):
+        if before is None or _drawn_data(before) != _drawn_data(intake):
             self._stale = True
         if self.isVisible():
             self._draw()
 
     def showEvent(self, event) -> None:
-        """Draw what has changed while it was out of sight."""
+        """Draw changes made while the page was hidden."""
         super().showEvent(event)
         self._draw()
 
@@ -84,8 +93,8 @@ class QualityPage(QWidget):
         self._stale = False
         if not ready:
             return
-        # Imported here, so that the start of the dialogue does not wait for it.
-        from lispac.gui.dialogs.import_files.quality_figures import PAGES, Quality
+        # Matplotlib is imported late, so that the dialogue starts without it.
+        from lispac.gui.dialogs.import_files.quality_figures import FIGURES, Quality
         from lispac.gui.panels.chart import Chart
 
         if self.canvas is None:
@@ -94,16 +103,16 @@ class QualityPage(QWidget):
             self._layout.addWidget(self.canvas, 1)
         quality = Quality.of(self._intake)
         assert quality is not None
-        name = NAMES[self.choice.checkedId()]
-        self._hint.setText(say("Coloured: the lines." if name == "Track" else "Shaded: the lines."))
-        PAGES[name](quality, self.canvas.figure)
+        key = list(NAMES)[self.choice.checkedId()]
+        self._hint.setText(gettext("Coloured: lines") if key == TRACK else gettext("Shaded: lines"))
+        FIGURES[key](quality, self.canvas.figure)
         self.canvas.draw_idle()
-        self.canvas.setAccessibleName(say(f"{name} of the trajectory over time, lines marked"))
+        self.canvas.setAccessibleName(gettext(_TIPS[key]))
         self.drawn.emit()
 
 
-def _seen(intake: Intake) -> tuple[object, ...]:
-    """What the figures rest on; entries are compared by identity."""
+def _drawn_data(intake: Intake) -> tuple[object, ...]:
+    """Data of the figures; entries are compared by identity."""
     lines = tuple((id(line.content), line.shift, intake.names[line.path]) for line in intake.lines)
     base = intake.time_base
     return id(intake.track), id(intake.sigmas), lines, intake.longest_gap, base

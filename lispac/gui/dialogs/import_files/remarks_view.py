@@ -1,33 +1,36 @@
-"""Sentences about a file, one under the other, each with the buttons of what would mend it."""
+"""List of the remarks on files, each with buttons for its remedies."""
 
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import N_, gettext
 from lispac.workflow.intake_remarks import Remark, Remedy
 
 _MARKS = {
-    "error": ("close-octagon-outline", "error", "Error"),
-    "doubt": ("alert-outline", "warning", "Doubt"),
-    "note": ("information-outline", "muted", "Note"),
+    "error": ("close-octagon-outline", "error", N_("Error")),
+    "doubt": ("alert-outline", "warning", N_("Warning")),
+    "note": ("information-outline", "muted", N_("Note")),
 }
+"""Icon, role of its colour and label of each level."""
 TALLEST = 150
 
 
 class RemarksView(QScrollArea):
-    """As tall as its sentences, up to a point; beyond, it scrolls."""
+    """Shows remarks; as tall as they are up to a limit, beyond which it scrolls."""
 
     remedy_chosen = Signal(object, int)
-    """A `Remedy`, and which of the sentences it stands beside."""
+    """A `Remedy`, and the number of its remark."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(say("What there is to look at"))
+        self.setAccessibleName(gettext("Remarks"))
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -37,23 +40,23 @@ class RemarksView(QScrollArea):
         self._rows.setContentsMargins(0, 0, 4, 0)
         self._rows.setSpacing(4)
         self.setWidget(self._body)
-        # A scroll area gives its widget the window's colour, which is not that of the page.
+        # A scroll area gives its widget the colour of the window instead of the page.
         self._body.setAutoFillBackground(False)
         self.buttons: list[widgets.Button] = []
 
     def show_remarks(self, remarks: Sequence[Remark], fine: str) -> None:
-        """Show sentences, or ``fine`` where there are none."""
+        """Show remarks, or the text ``fine`` where there are none."""
         if self._shown == tuple(remarks) and remarks:
             return
         self._shown = tuple(remarks)
         self.buttons = []
         while (item := self._rows.takeAt(0)) is not None:
             if (row := item.widget()) is not None:
-                # Its button may be the one that was just clicked.
+                # Its button may have just been clicked.
                 row.hide()
                 row.deleteLater()
         if not remarks and fine:
-            self._put(_row("check-circle-outline", "done", "OK", fine)[0])
+            self._put(_row("check-circle-outline", "done", N_("OK"), fine)[0])
         for place, remark in enumerate(remarks):
             row, layout = _row(*_MARKS[remark.level], remark.text)
             for remedy in remark.remedies:
@@ -61,12 +64,12 @@ class RemarksView(QScrollArea):
             self._put(row)
         self._rows.addStretch(1)
         self._fit()
-        # Buttons know their height once their style has been settled, which comes later.
+        # The heights of buttons are known only after their style is applied.
         QTimer.singleShot(0, self, self._fit)
 
     def _put(self, row: QWidget) -> None:
         self._rows.addWidget(row)
-        # A layout shows what is added to it later on; until then it has no height.
+        # A row has no height until the layout shows it.
         row.show()
 
     def _button(self, remedy: Remedy, remark: Remark, place: int) -> widgets.Button:
@@ -91,14 +94,14 @@ class RemarksView(QScrollArea):
         self._rows.invalidate()
         needed = self._rows.totalHeightForWidth(self.viewport().width())
         self.setFixedHeight(min(max(needed, 26), TALLEST))
-        # The least height of wrapped words is guessed too large, which would show a useless bar.
+        # Qt's least height of wrapped text is too large, which would show a useless scroll bar.
         policy = Qt.ScrollBarPolicy
         self.setVerticalScrollBarPolicy(
             policy.ScrollBarAsNeeded if needed > TALLEST else policy.ScrollBarAlwaysOff
         )
 
 
-def _row(icon: str, kind: str, word: str, text: str) -> tuple[QWidget, QHBoxLayout]:
+def _row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, QHBoxLayout]:
     colour = theme.colour(kind).name()
     row = QWidget()
     layout = QHBoxLayout(row)
@@ -106,11 +109,14 @@ def _row(icon: str, kind: str, word: str, text: str) -> tuple[QWidget, QHBoxLayo
     mark = QLabel()
     mark.setPixmap(theme.icon(icon, colour).pixmap(16, 16))
     mark.setFixedWidth(18)
-    head = widgets.label(word)
+    head = widgets.label(gettext(label))
     head.setStyleSheet(f"color: {colour}; font-weight: 600;")
-    head.setFixedWidth(46)
+    bold = QFont(head.font())
+    bold.setBold(True)
+    labels = (gettext(each) for *_, each in _MARKS.values())
+    head.setFixedWidth(max(map(QFontMetrics(bold).horizontalAdvance, labels)) + 8)
     said = widgets.label(text, wrap=True)
-    # A policy that is set after the wrapping forgets that the height depends on the width.
+    # Setting a policy after the wrapping resets its dependence of the height on the width.
     policy = said.sizePolicy()
     policy.setHeightForWidth(True)
     said.setSizePolicy(policy)

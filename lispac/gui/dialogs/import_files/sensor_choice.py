@@ -1,4 +1,4 @@
-"""Scanner and INS/GNSS chosen from the library."""
+"""Choice of scanner and INS/GNSS from the library."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
@@ -6,14 +6,16 @@ from PySide6.QtWidgets import QWidget
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.io.sensor_file import PosFigures, PosState, ScannerFigures
-from lispac.workflow.sensors import Library, origin_of
+from lispac.language import N_, gettext
+from lispac.workflow.sensors import Library
 
-OTHER = "Other (enter specifications)"
-SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": "degraded GNSS"}
+OTHER = N_("Other (enter specifications)")
+SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
+"""GNSS solutions as they are shown."""
 
 
 class SensorChoice(QWidget):
-    """Lists of scanners and of INS/GNSS with each solution, and where the figures are from."""
+    """Lists of scanners and of INS/GNSS with each solution, and the sources of their values."""
 
     scanner_chosen = Signal(object)
     pos_chosen = Signal(object)
@@ -30,18 +32,21 @@ class SensorChoice(QWidget):
             ),
         ]
         self.scanner = widgets.Choice(
-            f"{prefix}_scanner", [OTHER],
-            "Fills in the LiDAR noise; change it where your instrument's differs",
+            f"{prefix}_scanner", [gettext(OTHER)],
+            gettext("Fills in the LiDAR noise; adjust it to your instrument"),
         )  # fmt: skip
         self.pos = widgets.Choice(
-            f"{prefix}_pos", [OTHER],
-            "Fills in the sigmas of position and attitude, used where there is no accuracy file",
+            f"{prefix}_pos", [gettext(OTHER)],
+            gettext(
+                "Fills in the standard deviations of position and attitude, which apply without "
+                "an accuracy file"
+            ),
         )  # fmt: skip
-        # Titles are names, the same in every language.
+        # Titles are names and are not translated.
         self.scanner.addItems([sensor.figures.title for sensor in library.scanners])
         self.pos.addItems([_pos_title(entry) for entry in self._pos[1:]])
-        for box, what in ((self.scanner, "Scanner"), (self.pos, "INS/GNSS")):
-            box.setAccessibleName(say(what))
+        self.scanner.setAccessibleName(gettext("Scanner"))
+        self.pos.setAccessibleName(gettext("INS/GNSS"))
         self.scanner_origin = widgets.label("", "muted", wrap=True, name=f"{prefix}_scanner_origin")
         self.pos_origin = widgets.label("", "muted", wrap=True, name=f"{prefix}_pos_origin")
         self.scanner.currentIndexChanged.connect(lambda _index: self._tell_scanner())
@@ -50,7 +55,7 @@ class SensorChoice(QWidget):
         self._tell_pos()
 
     def choose(self, scanner: str, pos: str) -> None:
-        """Choose by name, as on the command line; what is not known leaves the choice open."""
+        """Choose by name, as on the command line; unknown names choose nothing."""
         for box, known, name in (
             (self.scanner, [n for n, _ in self._scanners], scanner),
             (self.pos, [n for n, _ in self._pos], pos),
@@ -59,14 +64,14 @@ class SensorChoice(QWidget):
 
     @property
     def names(self) -> tuple[str, str]:
-        """What is chosen, as on the command line; empty where nothing is."""
+        """Names of the chosen sensors, as on the command line; empty where none is chosen."""
         return (
             self._scanners[self.scanner.currentIndex()][0], self._pos[self.pos.currentIndex()][0]
         )  # fmt: skip
 
     @property
     def titles(self) -> dict[str, str]:
-        """Titles of what is chosen, by the fields of the identity."""
+        """Titles of the chosen sensors, by the fields of the identity."""
         scanner, pos = self._scanner(), self._pos[self.pos.currentIndex()][1]
         found = {} if scanner is None else {"scanner": scanner.title}
         return found if pos is None else found | {"pos": pos[0].title}
@@ -91,11 +96,19 @@ class SensorChoice(QWidget):
 def _pos_title(entry: tuple[str, tuple[PosFigures, PosState] | None]) -> str:
     assert entry[1] is not None
     figures, state = entry[1]
-    return f"{figures.title}, {say(SOLUTIONS[state.name])}"
+    return f"{figures.title}, {gettext(SOLUTIONS[state.name])}"
+
+
+def source_text(figures: ScannerFigures | PosState) -> str:
+    """Source of the values, and whether they are not verified."""
+    source = say(figures.source)
+    if figures.from_memory:
+        return gettext("{source} (not verified: check the data sheet)", source=source)
+    return source
 
 
 def _show(label: QWidget, figures: ScannerFigures | PosState | None) -> None:
-    label.setText("" if figures is None else origin_of(figures, say))
+    label.setText("" if figures is None else source_text(figures))
     label.setVisible(figures is not None)
     label.setProperty("role", "hint" if figures is not None and figures.from_memory else "muted")
     label.style().polish(label)

@@ -1,4 +1,4 @@
-"""Lines as bars under the trajectory's bar, over one time axis."""
+"""Timeline of an import: bars of the trajectory and of the lines over a time axis."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,30 +9,33 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.dialogs.import_files.words import time_axis
 from lispac.io.line_times import LineTimes
+from lispac.language import Plural, gettext, number
+from lispac.survey.time_quality import Coverage
 from lispac.workflow.intake import Intake
 
 NAMES, WORDS, ROW, AXIS, TOP = 170, 190, 26, 44, 8
-"""Pixels: left and right of the bars, a row, under and over them."""
+"""Pixels left and right of the bars, of a row, and below and above the bars."""
 SHORTEST = 4.0
 
 
 @dataclass(frozen=True)
 class Bar:
-    """One row.
+    """A row of the timeline.
 
     Attributes
     ----------
     path : Path
     name : str
     colour : str
-    start, end : float, seconds, in the trajectory's time base
+    start, end : float, seconds, in the time base of the trajectory
     holes : tuple of (float, float), seconds
-        Parts that cannot be used: gaps, or what lies outside the trajectory.
+        Unusable parts: gaps of the trajectory, and times outside it.
     words : str
-        Beside the bar.
+        Text beside the bar.
     sound : bool
+        Whether all of the file can be used.
     is_line : bool
     """
 
@@ -55,9 +58,13 @@ def bars_of(intake: Intake) -> tuple[Bar, ...]:
         time = track.time
         wide = np.flatnonzero(np.diff(time) > intake.longest_gap)
         gaps = tuple((float(time[k]), float(time[k + 1])) for k in wide)
-        said = f"{len(gaps)} gap{'s' if len(gaps) != 1 else ''}" if gaps else "no gap"
-        bars.append(Bar(entry.path, "Trajectory", theme.MUTED, float(time[0]), float(time[-1]),
-                        gaps, said, True, False))  # fmt: skip
+        text = (
+            gettext(Plural("{count:n} gap", "{count:n} gaps"), count=len(gaps))
+            if gaps
+            else gettext("no gaps")
+        )
+        bars.append(Bar(entry.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
+                        float(time[-1]), gaps, text, True, False))  # fmt: skip
     colours = theme.line_colours([str(line.path) for line in intake.lines])
     for line in intake.lines:
         if not isinstance(line.content, LineTimes):
@@ -65,7 +72,7 @@ def bars_of(intake: Intake) -> tuple[Bar, ...]:
         start, end = line.content.start + line.shift, line.content.end + line.shift
         covered = intake.coverage(line)
         holes: tuple[tuple[float, float], ...] = ()
-        said, sound = "no trajectory yet", False
+        sound = False
         if covered is not None and track is not None:
             first, last = float(track.time[0]), float(track.time[-1])
             if start < first:
@@ -74,22 +81,35 @@ def bars_of(intake: Intake) -> tuple[Bar, ...]:
                 holes += ((max(start, last), end),)
             holes += covered.gaps
             sound = covered.usable == covered.count
-            parts = []
-            if covered.outside:
-                parts.append(f"{100 * covered.share_outside:.1f} % outside")
-            if covered.in_gaps:
-                parts.append(f"{100 * covered.share_in_gaps:.1f} % in gaps")
-            said = "covered" if sound else ", ".join(parts)
-            if line.shift:
-                said += f" ({line.shift:+,.0f} s)"
+        text = _coverage_text(covered, line.shift if track is not None else 0.0)
         colour = QColor(*colours[str(line.path)]).name()
         name = intake.names[line.path]
-        bars.append(Bar(line.path, name, colour, start, end, holes, said, sound, True))
+        bars.append(Bar(line.path, name, colour, start, end, holes, text, sound, True))
     return tuple(bars)
 
 
+def _coverage_text(covered: Coverage | None, shift: float) -> str:
+    """How much of a line the trajectory covers, and the shift of its times in seconds."""
+    if covered is None:
+        return gettext("no trajectory")
+    if covered.usable == covered.count:
+        text = gettext("covered")
+    elif covered.outside and covered.in_gaps:
+        text = gettext(
+            "{outside:percent.1} % outside, {gaps:percent.1} % in gaps",
+            outside=covered.share_outside, gaps=covered.share_in_gaps,
+        )  # fmt: skip
+    elif covered.outside:
+        text = gettext("{outside:percent.1} % outside", outside=covered.share_outside)
+    else:
+        text = gettext("{gaps:percent.1} % in gaps", gaps=covered.share_in_gaps)
+    if not shift:
+        return text
+    return gettext("{text} ({shift:s.0+} s)", text=text, shift=shift)
+
+
 def span_of(bars: tuple[Bar, ...]) -> tuple[float, float]:
-    """What the axis shows: the trajectory and the lines near it, with a margin."""
+    """Time span of the axis: the trajectory and the lines near it, with a margin."""
     track = next((bar for bar in bars if not bar.is_line), None)
     if track is None:
         start, end = min(b.start for b in bars), max(b.end for b in bars)
@@ -102,12 +122,12 @@ def span_of(bars: tuple[Bar, ...]) -> tuple[float, float]:
 
 
 def ticks_of(start: float, end: float, most: int) -> list[float]:
-    """Round numbers between, no more than ``most``."""
+    """Round numbers between two times, at most ``most``."""
     rough = (end - start) / max(most, 1)
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(k * power for k in (1, 2, 5, 10) if k * power >= rough)
     ticks = np.arange(np.ceil(start / step), np.floor(end / step) + 1) * step
-    return [float(t) for t in ticks + 0.0]  # what is added makes a zero of a minus zero
+    return [float(t) for t in ticks + 0.0]  # the addition removes the sign of a minus zero
 
 
 class TimelineView(QWidget):
@@ -120,42 +140,37 @@ class TimelineView(QWidget):
         self.setObjectName("import_timeline")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(say("Timeline of the lines over the trajectory"))
+        self.setAccessibleName(gettext("Timeline of the lines and the trajectory"))
         self.bars: tuple[Bar, ...] = ()
         self._axis = ""
         self._current: Path | None = None
 
     def show_intake(self, intake: Intake, current: Path | None) -> None:
-        """Draw the rows of an intake."""
+        """Draw the rows of an import."""
         self.bars = bars_of(intake)
-        base = intake.time_base
-        self._axis = "Time, s" if base is None else f"{base.name[:1].upper()}{base.name[1:]}"
+        self._axis = time_axis(intake.time_base)
         self._current = current
-        self.setAccessibleDescription(
-            "; ".join(
-                say(f"{b.name} {b.start:,.1f} to {b.end:,.1f} s, {b.words}") for b in self.bars
-            )
-        )
-        self.setToolTip(say("" if self.bars else "No file with times yet"))
+        self.setAccessibleDescription("\n".join(map(_description, self.bars)))
+        self.setToolTip("" if self.bars else gettext("No file with times yet"))
         self.updateGeometry()
         self.update()
 
     def sizeHint(self) -> QSize:
-        """The size it likes best, in pixels."""
+        """Preferred size in pixels."""
         return QSize(600, TOP + max(len(self.bars), 1) * ROW + AXIS)
 
     def minimumSizeHint(self) -> QSize:
-        """The least size it is of use at, in pixels."""
+        """Smallest size in pixels."""
         return QSize(480, self.sizeHint().height())
 
     def mousePressEvent(self, event) -> None:
-        """Choose the file whose bar was clicked."""
+        """Select the file of the clicked bar."""
         row = int((event.position().y() - TOP) // ROW)
         if 0 <= row < len(self.bars):
             self.file_selected.emit(self.bars[row].path)
 
     def keyPressEvent(self, event) -> None:
-        """Choose the file above or below with the arrows."""
+        """Select the file above or below with the arrow keys."""
         step = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(event.key())
         if step is None or not self.bars:
             super().keyPressEvent(event)
@@ -165,24 +180,24 @@ class TimelineView(QWidget):
         self.file_selected.emit(paths[min(max(now + step, 0), len(paths) - 1)])
 
     def focusInEvent(self, event) -> None:
-        """Show that it has the focus."""
+        """Draw the frame of the focus."""
         super().focusInEvent(event)
         self.update()
 
     def focusOutEvent(self, event) -> None:
-        """Show that it has the focus no more."""
+        """Remove the frame of the focus."""
         super().focusOutEvent(event)
         self.update()
 
     def paintEvent(self, event) -> None:
-        """Paint an axis of time and a bar for each file."""
+        """Paint a time axis and a bar for each file."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.PAPER))
         if not self.bars:
             painter.setPen(QColor(theme.MUTED))
-            text = "Add the trajectory and the lines: their times appear here."
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, say(text))
+            text = gettext("Add the trajectory and the lines to see their times.")
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
         start, end = span_of(self.bars)
         width = max(self.width() - NAMES - WORDS, 50)
@@ -201,7 +216,7 @@ class TimelineView(QWidget):
 
     def _draw_axis(self, painter: QPainter, start: float, end: float, x, bottom: int) -> None:
         metrics = self.fontMetrics()
-        label = metrics.horizontalAdvance(f"{end:,.1f}") + 24
+        label = metrics.horizontalAdvance(number(end, 1)) + 24
         ticks = ticks_of(start, end, max(int((self.width() - NAMES - WORDS) / label), 2))
         fine = len(ticks) > 1 and ticks[1] - ticks[0] < 1
         painter.setFont(theme.tabular(self.font()))
@@ -209,26 +224,24 @@ class TimelineView(QWidget):
             painter.setPen(QColor(theme.GRID))
             painter.drawLine(QPointF(x(tick), TOP), QPointF(x(tick), bottom + 4))
             painter.setPen(QColor(theme.TEXT))
-            text = f"{tick:,.{2 if fine else 0}f}"
+            text = number(tick, 2 if fine else 0)
             box = QRectF(x(tick) - label / 2, bottom + 4, label, 18)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(text))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
         painter.setPen(QColor(theme.MUTED))
         box = QRectF(NAMES, bottom + 22, self.width() - NAMES - WORDS, 18)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(self._axis))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._axis)
 
     def _draw_bar(self, painter: QPainter, bar: Bar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
         if bar.path == self._current:
             painter.fillRect(QRectF(0, top, self.width(), ROW), QColor(theme.CURRENT))
         painter.setPen(QColor(theme.TEXT))
-        name = self.fontMetrics().elidedText(
-            say(bar.name), Qt.TextElideMode.ElideMiddle, NAMES - 24
-        )
+        name = self.fontMetrics().elidedText(bar.name, Qt.TextElideMode.ElideMiddle, NAMES - 24)
         painter.drawText(QRectF(12, top, NAMES - 20, ROW), middle, name)
         painter.setPen(QColor(theme.MUTED if bar.sound else theme.ERROR))
         box = QRectF(NAMES + width + 12, top, WORDS - 16, ROW)
         painter.drawText(box, middle, self.fontMetrics().elidedText(
-            say(bar.words), Qt.TextElideMode.ElideRight, WORDS - 16))  # fmt: skip
+            bar.words, Qt.TextElideMode.ElideRight, WORDS - 16))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
         if right < NAMES or left > NAMES + width:
             self._draw_far(painter, bar, top, NAMES if right < NAMES else NAMES + width)
@@ -246,13 +259,13 @@ class TimelineView(QWidget):
             painter.setPen(QPen(QColor(theme.ERROR), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(hole)
-            text = say(f"gap {last - first:,.1f} s")
+            text = gettext("gap {duration:s.1} s", duration=last - first)
             if not bar.is_line and self.fontMetrics().horizontalAdvance(text) + 8 < b - a:
                 painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor(theme.PAPER))
                 painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)
 
     def _draw_far(self, painter: QPainter, bar: Bar, top: int, edge: float) -> None:
-        """An arrow for a line that lies beyond the axis, and how far."""
+        """Draw an arrow for a line beyond the axis, and its distance in time."""
         before = edge == NAMES
         track = next(each for each in self.bars if not each.is_line)
         apart = track.start - bar.end if before else bar.start - track.end
@@ -264,10 +277,21 @@ class TimelineView(QWidget):
             QPointF(tip, y), QPointF(tip + side * 11, y - 7), QPointF(tip + side * 11, y + 7)
         ]))  # fmt: skip
         painter.setPen(QColor(theme.ERROR))
-        where = "before the trajectory" if before else "after the trajectory"
+        text = (
+            gettext("{duration:s.0} s before the trajectory", duration=apart)
+            if before
+            else gettext("{duration:s.0} s after the trajectory", duration=apart)
+        )
         align = Qt.AlignmentFlag.AlignLeft if before else Qt.AlignmentFlag.AlignRight
         box = QRectF(tip + 18, top, 400, ROW) if before else QRectF(tip - 418, top, 400, ROW)
-        painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, say(f"{apart:,.0f} s {where}"))
+        painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, text)
+
+
+def _description(bar: Bar) -> str:
+    return gettext(
+        "{name}: {start:s.1} to {end:s.1} s, {text}",
+        name=bar.name, start=bar.start, end=bar.end, text=bar.words,
+    )  # fmt: skip
 
 
 def _hatch() -> QBrush:

@@ -1,4 +1,4 @@
-"""How the lines lie on the trajectory in time, and what mends it where they do not."""
+"""Page with the timeline of the import, remarks on times, and their remedies."""
 
 from pathlib import Path
 
@@ -8,14 +8,14 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWi
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.dialogs.import_files.timeline import TimelineView
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.language import Plural, gettext
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_remarks import Remark, Remedy
 
 
 class TimelinePage(QWidget):
-    """The timeline, a sentence for each line that is not covered, and the longest gap bridged."""
+    """Timeline, remarks on lines that are not covered, and the longest interpolated gap."""
 
     remedy_chosen = Signal(object, object)
     """Path, and `Remedy`."""
@@ -44,18 +44,20 @@ class TimelinePage(QWidget):
         bottom = QHBoxLayout()
         self.gap = widgets.number(
             "import_longest_gap", suffix=" s", decimals=2, low=0.01, high=3600, step=0.5,
-            tip="Longest gap between two states of the trajectory that a straight line bridges, "
-            "seconds; points in longer gaps are left out",
+            tip=gettext(
+                "Longest gap of the trajectory that is interpolated, seconds; points in longer "
+                "gaps are excluded"
+            ),
         )  # fmt: skip
         self.gap.setKeyboardTracking(False)
         self.gap.valueChanged.connect(self.gap_changed)
-        said = widgets.label("Longest gap bridged")
-        said.setBuddy(self.gap)
+        label = widgets.label(gettext("Longest interpolated gap"))
+        label.setBuddy(self.gap)
         self.lost = widgets.label("", "muted", name="import_lost")
         self.all = widgets.button("", "import_shift_all", icon="clock-fast")
         self.all.setAutoDefault(False)
         self.all.clicked.connect(self.shift_all_asked)
-        bottom.addWidget(said)
+        bottom.addWidget(label)
         bottom.addWidget(self.gap)
         bottom.addSpacing(12)
         bottom.addWidget(self.lost, 1)
@@ -64,43 +66,52 @@ class TimelinePage(QWidget):
         self._owners: list[Path] = []
 
     def show_intake(self, intake: Intake, current: Path | None) -> None:
-        """Draw the bars and say what is wrong."""
+        """Draw the bars and list the remarks."""
         self.view.show_intake(intake, current)
         self.gap.blockSignals(True)
         self.gap.setValue(intake.longest_gap)
         self.gap.blockSignals(False)
         self.gap.setEnabled(intake.into is None)
-        told: list[tuple[Path, Remark]] = []
+        found: list[tuple[Path, Remark]] = []
         for line in intake.lines:
             for remark in intake.time_remarks(line):
                 named = Remark(
                     remark.level, f"{intake.names[line.path]}: {remark.text}", remark.remedies
                 )
-                told.append((line.path, named))
-        told.sort(key=lambda pair: pair[1].level != "error")
-        self._owners = [path for path, _ in told]
-        lines = len(intake.lines)
-        what = "every line" if lines != 1 else "the line"
-        fine = f"The trajectory covers {what}." if intake.track is not None and lines else ""
-        self.remarks.setVisible(bool(told or fine))
-        self.remarks.show_remarks([remark for _, remark in told], fine)
-        self.lost.setText(say(_lost(intake)))
+                found.append((line.path, named))
+        found.sort(key=lambda pair: pair[1].level != "error")
+        self._owners = [path for path, _ in found]
+        fine = ""
+        if intake.track is not None and intake.lines:
+            fine = gettext(
+                Plural("The trajectory covers the line.", "The trajectory covers all lines."),
+                count=len(intake.lines),
+            )
+        self.remarks.setVisible(bool(found or fine))
+        self.remarks.show_remarks([remark for _, remark in found], fine)
+        self.lost.setText(_share_in_gaps(intake))
         offered = intake.shifts_offered
         self.all.setVisible(len(offered) > 1)
-        if offered:
-            shifts = {shift for _, shift in offered}
-            words = f"Add {offered[0][1]:+,.3f} s to" if len(shifts) == 1 else "Shift"
-            self.all.setText(say(f"{words} all {len(offered)} lines outside"))
+        shifts = {shift for _, shift in offered}
+        if len(shifts) == 1:
+            self.all.setText(
+                gettext(
+                    "Add {shift:s.3+} s to all {count:n} lines outside",
+                    shift=offered[0][1], count=len(offered),
+                )
+            )  # fmt: skip
+        else:
+            self.all.setText(gettext("Shift all {count:n} lines outside", count=len(offered)))
 
     def _remedy(self, remedy: Remedy, place: int) -> None:
         self.remedy_chosen.emit(self._owners[place], remedy)
 
 
-def _lost(intake: Intake) -> str:
-    """What the gaps cost, over all lines."""
+def _share_in_gaps(intake: Intake) -> str:
+    """Share of the points of all lines in gaps that are not interpolated."""
     found = [covered for line in intake.lines if (covered := intake.coverage(line)) is not None]
     count = sum(covered.count for covered in found)
     if not count:
         return ""
-    share = 100 * sum(covered.in_gaps for covered in found) / count
-    return f"{share:.1f} % of the points lie in longer gaps"
+    share = sum(covered.in_gaps for covered in found) / count
+    return gettext("Points in longer gaps: {share:percent.1} %", share=share)

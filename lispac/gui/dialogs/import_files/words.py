@@ -1,86 +1,185 @@
-"""How the dialogue words what a file is and how it stands."""
+"""Texts of the import dialogue for a file: its role, contents, state and options."""
 
 from PySide6.QtGui import QIcon
 
 from lispac.gui import theme
+from lispac.gui.language import say
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
-from lispac.survey.time_base import KEYS, base_of
+from lispac.language import N_, Plural, gettext, number
+from lispac.survey.time_base import KEYS, TimeBase, base_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 
 ROLES: dict[Kind | None, str] = {
-    "trajectory": "Trajectory", "accuracy": "Accuracy", "points": "Line", None: "Leave out",
+    "trajectory": N_("Trajectory"), "accuracy": N_("Accuracy"), "points": N_("Line"),
+    None: N_("Not imported"),
 }  # fmt: skip
 _COUNTS = ("points", "Points", "Records", "Rows")
+"""Facts of a file with the number of its points or states."""
 _OPTIONS = {
-    "crs": "Coordinate system", "byte_order": "Order of bytes", "restart": "Time rollover",
-    "withheld": "Withheld points", "exclude_classes": "Excluded classes",
-    "only": "Only points with", "max_range": "Largest range (m)",
-}  # fmt: skip
-_WITHHELD = {"exclude": "excluded", "keep": "used"}
-_RESTARTS = {
-    "none": "nowhere", "midnight": "at midnight", "week-end": "at the end of the week",
-    "full-hour": "at the full hour",
-}  # fmt: skip
-_UNSTATED = {
-    "restart": "automatic", "grid_unit": "by the system", "heights": "by the system",
-}  # fmt: skip
-_FRAMES = {"scanner": "Scanner", "georeferenced": "On the map"}
+    "attitude": N_("Attitude"),
+    "axes": N_("Axes"),
+    "byte_order": N_("Byte order"),
+    "columns": N_("Columns"),
+    "crs": N_("Coordinate system"),
+    "decimal": N_("Decimal sign"),
+    "epoch": N_("Epoch"),
+    "exclude_classes": N_("Excluded classes"),
+    "frame": N_("Frame"),
+    "grid_unit": N_("Grid unit"),
+    "header": N_("Header"),
+    "heading": N_("Heading"),
+    "height": N_("Height"),
+    "height_unit": N_("Height unit"),
+    "heights": N_("Heights"),
+    "max_range": N_("Largest range (m)"),
+    "only": N_("Only points with"),
+    "order": N_("Order"),
+    "origin": N_("Origin"),
+    "pitch": N_("Pitch"),
+    "position": N_("Position"),
+    "restart": N_("Time rollover"),
+    "roll": N_("Roll"),
+    "separator": N_("Separator"),
+    "time": N_("Time"),
+    "time_base": N_("Time base"),
+    "time_field": N_("Time field"),
+    "time_from": N_("Time from"),
+    "time_unit": N_("Time unit"),
+    "trajectory_datum": N_("Trajectory datum"),
+    "unit": N_("Unit"),
+    "withheld": N_("Withheld points"),
+}
+"""Labels of the options."""
+_AUTOMATIC = {
+    "restart": N_("automatic"),
+    "grid_unit": N_("as the coordinate system"),
+    "heights": N_("as the coordinate system"),
+}
+"""Empty values of options that do not come from the file."""
+_OF_OPTION = {
+    ("restart", "none"): N_("none"),
+    ("frame", "scanner"): N_("Scanner"),
+    ("axes", "unknown"): N_("unknown"),
+    ("header", "auto"): N_("automatic"),
+}
+"""Values whose text depends on the option."""
+_VALUES = {
+    "as-is": N_("as in the file"),
+    "auto": N_("automatic"),
+    "big-endian": N_("big-endian"),
+    "blank": N_("blank"),
+    "bow-down": N_("positive bow down"),
+    "bow-up": N_("positive bow up"),
+    "centimetre": N_("centimetres"),
+    "comma": N_("comma"),
+    "degrees": N_("degrees"),
+    "degrees-minutes": N_("degrees and minutes"),
+    "dms": N_("degrees, minutes, seconds"),
+    "enu": N_("east, north, up"),
+    "exclude": N_("exclude"),
+    "fathom": N_("fathoms"),
+    "feet": N_("feet"),
+    "foot": N_("feet"),
+    "full-hour": N_("at the full hour"),
+    "georeferenced": N_("Georeferenced"),
+    "grid": N_("grid north"),
+    "header": N_("as in the header"),
+    "hour": N_("hours"),
+    "inch": N_("inches"),
+    "international-feet": N_("international feet"),
+    "keep": N_("use"),
+    "kilometre": N_("kilometres"),
+    "latitude-longitude": N_("latitude, longitude"),
+    "little-endian": N_("little-endian"),
+    "longitude-latitude": N_("longitude, latitude"),
+    "metre": N_("metres"),
+    "metres": N_("metres"),
+    "microsecond": N_("microseconds"),
+    "midnight": N_("at midnight"),
+    "millimetre": N_("millimetres"),
+    "millisecond": N_("milliseconds"),
+    "minus-wander": N_("minus the wander angle"),
+    "minute": N_("minutes"),
+    "nanosecond": N_("nanoseconds"),
+    "ned": N_("north, east, down"),
+    "neu": N_("north, east, up"),
+    "nwu": N_("north, west, up"),
+    "point": N_("point"),
+    "port-down": N_("positive port down"),
+    "radians": N_("radians"),
+    "second": N_("seconds"),
+    "semicolon": N_("semicolon"),
+    "starboard-down": N_("positive starboard down"),
+    "start": N_("start of the scan"),
+    "tab": N_("tab"),
+    "true": N_("true north"),
+    "us-survey-feet": N_("US survey feet"),
+    "us-survey-foot": N_("US survey feet"),
+    "wander-ned": N_("north, east, down, turned by the wander angle"),
+    "wander-nwu": N_("north, west, up, turned by the wander angle"),
+    "week-end": N_("at the end of the week"),
+    "yard": N_("yards"),
+    "zero": N_("zero"),
+}
+"""Texts of the other values."""
+NO_VALUE = "–"
 
 
 def count(entry: Entry) -> str:
-    """How many points or states."""
+    """Number of points or states of a file."""
     content = entry.content
     if isinstance(content, LineTimes) and content.count is not None:
-        return f"{content.count:,}"
+        return number(content.count)
     if isinstance(content, Trajectory | TrajectoryAccuracy):
-        return f"{len(content.time):,}"
+        return number(len(content.time))
     facts = {} if entry.finding is None else entry.finding.facts
-    return next((facts[name] for name in _COUNTS if name in facts), "–")
+    return next((say(facts[name]) for name in _COUNTS if name in facts), NO_VALUE)
 
 
 def span(entry: Entry) -> str:
-    """First and last time."""
+    """First and last time of a file."""
     content = entry.content
     if isinstance(content, LineTimes):
-        return f"{content.start:,.1f} – {content.end:,.1f}"
+        return f"{number(content.start, 1)} – {number(content.end, 1)}"
     if isinstance(content, Trajectory | TrajectoryAccuracy):
-        return f"{content.time[0]:,.1f} – {content.time[-1]:,.1f}"
-    return "–"
+        return f"{number(content.time[0], 1)} – {number(content.time[-1], 1)}"
+    return NO_VALUE
 
 
 def frame(entry: Entry) -> str:
-    """What the coordinates refer to."""
+    """Frame of the coordinates of a file."""
     if entry.role == "points":
         if not entry.georeferenced:
-            return "Scanner"
+            return gettext("Scanner")
         place = entry.place
-        return place.system if place is not None and place.system else "System not stated"
+        return place.system if place is not None and place.system else gettext("System not given")
     if entry.role == "trajectory":
-        return entry.options.get("crs") or "Latitude, longitude"
-    return "North, east, down" if entry.role == "accuracy" else "–"
+        return entry.options.get("crs") or gettext("Latitude, longitude")
+    return gettext("North, east, down") if entry.role == "accuracy" else NO_VALUE
 
 
 def state(intake: Intake, entry: Entry) -> tuple[str, str]:
-    """State in words, and the colour that goes with it."""
-    now = intake.state(entry)
-    remarks = intake.remarks(entry)
-    if now == "doubt":
-        doubts = sum(remark.level == "doubt" for remark in remarks)
-        return ("1 doubt" if doubts == 1 else f"{doubts} doubts"), theme.WARNING
-    unknown = not entry.looks and not entry.pending
-    return {
-        "pending": ("Waiting", theme.MUTED),
-        "fine": ("OK", theme.DONE),
-        "error": ("Error", theme.ERROR),
-        "out": ("Not known" if unknown else "Left out", theme.MUTED),
-    }[now]
+    """State of a file and its colour."""
+    match intake.state(entry):
+        case "pending":
+            return gettext("Waiting"), theme.MUTED
+        case "fine":
+            return gettext("OK"), theme.DONE
+        case "error":
+            return gettext("Error"), theme.ERROR
+        case "doubt":
+            warnings = sum(remark.level == "doubt" for remark in intake.remarks(entry))
+            text = gettext(Plural("{count:n} warning", "{count:n} warnings"), count=warnings)
+            return text, theme.WARNING
+    is_unknown = not entry.looks and not entry.pending
+    return gettext("Unknown") if is_unknown else gettext("Not imported"), theme.MUTED
 
 
 def state_icon(intake: Intake, entry: Entry) -> QIcon:
-    """A mark beside the word."""
+    """Icon of the state of a file."""
     name = {
         "pending": "timer-sand", "fine": "check-circle-outline", "doubt": "alert-outline",
         "error": "close-octagon-outline", "out": "minus-circle-outline",
@@ -89,20 +188,25 @@ def state_icon(intake: Intake, entry: Entry) -> QIcon:
 
 
 def option_name(name: str) -> str:
-    """An option as its label shows it."""
-    return _OPTIONS.get(name, name.replace("_", " ").capitalize())
+    """Label of an option, or of a fact about a file."""
+    if name in _OPTIONS:
+        return gettext(_OPTIONS[name])
+    return say(name.replace("_", " ").capitalize())
 
 
 def option_value(name: str, value: str) -> str:
-    """A choice of an option as its list shows it."""
+    """Text of a choice of an option."""
     if not value:
-        return _UNSTATED.get(name, "as the file says")
-    if name == "restart":
-        return _RESTARTS[value]
-    if name == "withheld":
-        return _WITHHELD[value]
+        return gettext(_AUTOMATIC[name]) if name in _AUTOMATIC else gettext("as in the file")
+    if (name, value) in _OF_OPTION:
+        return gettext(_OF_OPTION[name, value])
     if value in KEYS:
-        return base_of(value).name
-    if name == "frame":
-        return _FRAMES[value]
-    return value.replace("-", " ") if name not in ("axes",) else value
+        return say(base_of(value).name)
+    return gettext(_VALUES[value]) if value in _VALUES else value
+
+
+def time_axis(base: TimeBase | None) -> str:
+    """Title of an axis of time."""
+    if base is None:
+        return gettext("Time (s)")
+    return say(f"{base.name[:1].upper()}{base.name[1:]}")

@@ -1,4 +1,4 @@
-"""The dialogue's own worker: files are looked into one after the other, never in the window."""
+"""Worker of the import dialogue: reads files one after the other in the background."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -10,44 +10,46 @@ from lispac.errors import Cancelled
 from lispac.gui.dialogs.error import describe
 from lispac.gui.language import say
 from lispac.gui.tasks import TaskRunner
+from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.workflow.intake import Intake, gathered, project_among
 from lispac.workflow.intake_entry import Entry, examined, examined_again, examined_as_given
 
-STOPPED = "Not looked into, as it was stopped; press Look again."
+STOPPED = "import.stopped"
+"""Code of the entries that were not read because the user stopped the reading."""
 
 
 class Work(QObject):
-    """Holds the intake, and reads what it asks for.
+    """Holds the files of an import and reads them.
 
     Parameters
     ----------
     mappings : dict of str to str
-        Columns chosen for text files before, by their layout.
+        Columns of text files chosen earlier, by their layout.
     """
 
     changed = Signal()
-    """The intake is another one."""
+    """The files or their settings have changed."""
     moved = Signal()
-    """The running work has moved: look at `words` and `fraction`."""
+    """The running work has progressed: see `words` and `fraction`."""
     project_found = Signal(object)
-    """A project was dropped: it is to be opened."""
+    """A project was dropped, to be opened."""
 
     def __init__(self, mappings: dict[str, str], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.intake = Intake()
         self._mappings = mappings
-        self._asked: dict[Path, Entry] = {}
+        self._queued: dict[Path, Entry] = {}
         self._done = 0
         self.runner = TaskRunner(self)
         self.runner.moved.connect(self.moved)
 
     def begin(self, intake: Intake) -> None:
-        """Begin with files that an open project has."""
+        """Start with the files of an open project."""
         self.edit(intake)
 
     def add(self, paths: Iterable[Path]) -> None:
-        """Take in files and folders."""
+        """Add files and folders."""
         paths = list(paths)
 
         def work(progress: Progress) -> tuple[Path | None, tuple[Path, ...]]:
@@ -59,70 +61,78 @@ class Work(QObject):
             else:
                 self.edit(self.intake.with_files(found[1]))
 
-        self.runner.run("Listing the files", work, done)
+        self.runner.run(gettext("Listing the files"), work, done)
 
     def edit(self, intake: Intake) -> None:
-        """Take another intake, and look into the files that wait for it."""
+        """Replace the intake, and read the files that are pending."""
         self.intake = intake
         here = {entry.path for entry in intake.entries}
-        self._asked = {path: entry for path, entry in self._asked.items() if path in here}
+        self._queued = {path: entry for path, entry in self._queued.items() if path in here}
         for entry in intake.entries:
-            if entry.pending and self._asked.get(entry.path) is not entry:
+            if entry.pending and self._queued.get(entry.path) is not entry:
                 self._look(entry)
         self.changed.emit()
 
     def stop(self) -> None:
-        """Look into no more files."""
+        """Stop reading files."""
         self.runner.cancel()
-        self._asked = {}
+        self._queued = {}
         self._done = 0
+        text = gettext("Not read because reading was stopped. Press Read again.")
         entries = tuple(
-            replace(e, pending=False, error=STOPPED) if e.pending else e
-            for e in self.intake.entries
+            replace(each, pending=False, error=text, error_code=STOPPED) if each.pending else each
+            for each in self.intake.entries
         )
         self.intake = replace(self.intake, entries=entries)
         self.changed.emit()
 
     @property
     def was_stopped(self) -> bool:
-        """Whether some files were not looked into."""
-        return any(entry.error == STOPPED for entry in self.intake.entries)
+        """Whether some files were not read because the user stopped the reading."""
+        return any(entry.error_code == STOPPED for entry in self.intake.entries)
 
     def look_again(self) -> None:
-        """Look into the files that were passed over when it was stopped."""
+        """Read the files that were skipped when the reading was stopped."""
         entries = tuple(
-            replace(e, pending=True) if e.error == STOPPED else e for e in self.intake.entries
+            replace(each, pending=True, error="", error_code="")
+            if each.error_code == STOPPED
+            else each
+            for each in self.intake.entries
         )
         self.edit(replace(self.intake, entries=entries))
 
     @property
     def busy(self) -> bool:
-        """Whether a file is being looked into, or waits."""
+        """Whether a file is being read or is queued."""
         return self.runner.active
 
     @property
     def words(self) -> str:
-        """What is being done, in the user's language."""
+        """The running step in the language of the user."""
         task = self.runner.current
         if task is None:
             return ""
         total = self._done + sum(entry.pending for entry in self.intake.entries)
-        what = say(task.message or task.title)
-        return f"{what} ({say(f'{self._done + 1} of {total}')})" if total > 1 else what
+        step = say(task.message or task.title)
+        if total <= 1:
+            return step
+        return gettext(
+            "{step} ({number:n} of {total:n})", step=step, number=self._done + 1, total=total
+        )
 
     @property
     def fraction(self) -> float:
-        """How much is done, from 0 to 1."""
+        """Share of the work that is done, from 0 to 1."""
         task = self.runner.current
         total = self._done + sum(entry.pending for entry in self.intake.entries)
         return (self._done + (0.0 if task is None else task.fraction)) / max(total, 1)
 
     def close(self) -> None:
-        """Stop, and wait for the worker to end."""
+        """Stop the worker and wait for its end."""
         self.runner.close()
 
     def _look(self, entry: Entry) -> None:
-        self._asked[entry.path] = entry
+        self._queued[entry.path] = entry
         mappings = self._mappings
 
         def work(progress: Progress) -> Entry:
@@ -134,16 +144,19 @@ class Work(QObject):
                 return examined_again(entry, progress=progress)
             except Cancelled:
                 raise
-            except Exception as error:  # whatever one file does, the others are looked into
-                sentence, details = describe(error)
-                said = f"It cannot be looked into ({type(error).__name__}: {error})."
-                return replace(entry, pending=False, error=said if details else sentence)
+            except Exception as error:  # the other files are read whatever fails
+                text, details = describe(error)
+                if details:
+                    reason = f"{type(error).__name__}: {error}"
+                    text = gettext("The file cannot be read ({reason}).", reason=reason)
+                return replace(entry, pending=False, error=text)
 
         def done(found: Entry) -> None:
-            if self._asked.get(entry.path) is not entry:
+            if self._queued.get(entry.path) is not entry:
                 return
-            del self._asked[entry.path]
-            self._done = self._done + 1 if self._asked else 0
+            del self._queued[entry.path]
+            self._done = self._done + 1 if self._queued else 0
             self.edit(self.intake.with_entry(found).sorted_out(found.path))
 
-        self.runner.run(f"Looking into {entry.path.name}", work, done, key=str(entry.path))
+        title = gettext("Reading {file}", file=entry.path.name)
+        self.runner.run(title, work, done, key=str(entry.path))
