@@ -338,7 +338,7 @@ def test_pdf_html_and_tables_in_french(project: Project, tmp_path: Path) -> None
     assert rows[1] == ["L1", "L1.laz", "0.4", "1234567"]
     assert "-carte-de-v1-" in " ".join(archive.namelist())
     with zipfile.ZipFile(tmp_path / "r.zip") as archive:
-        angles = archive.read("02-angles-de-visee.csv").decode("utf-8-sig").splitlines()
+        angles = archive.read("02-angles-de-visee-boresight.csv").decode("utf-8-sig").splitlines()
         (offsets,) = (n for n in archive.namelist() if "comparaison-des-plans" in n)
         planes = archive.read(offsets).decode("utf-8-sig").splitlines()
     for row in list(csv.reader(angles))[1:]:
