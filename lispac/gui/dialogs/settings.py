@@ -112,11 +112,11 @@ class SettingsDialog(QDialog):
             gettext("Language of the window; that of the report is set in step 5"),
         )  # fmt: skip
         self.point_size = widgets.number(
-            "settings_point_size", suffix=f" {gettext('pixels')}", decimals=0, low=POINT_SIZES[0],
+            "settings_point_size", suffix=" " + gettext("pixels"), decimals=0, low=POINT_SIZES[0],
             high=POINT_SIZES[-1], step=1, tip=gettext("Size of a drawn point"),
         )  # fmt: skip
         self.point_budget = widgets.number(
-            "settings_point_budget", suffix=f" {gettext('million')}", decimals=1,
+            "settings_point_budget", suffix=" " + gettext("million"), decimals=1,
             low=POINT_BUDGETS[0] / MILLION, high=POINT_BUDGETS[-1] / MILLION, step=0.5,
             tip=gettext(
                 "Largest number of points drawn while the view does not move; slow computers draw "
