@@ -39,7 +39,7 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     """Dialogue with the mouse and keyboard commands in two columns, not yet shown."""
     box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
-    box.setWindowTitle(gettext("Mouse and keyboard"))
+    box.setWindowTitle(gettext("Mouse and keys"))
     layout = widgets.column(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(32)

@@ -38,9 +38,10 @@ class HistoryDialog(StudyDialog):
     def __init__(
         self, histories: Sequence[History], remarks: Sequence[str], parent: QWidget | None = None
     ) -> None:
-        table = DiagnosticsTable("history_table", gettext("Calibration history"), _columns())
+        title = gettext("Calibrations over the years")
+        table = DiagnosticsTable("history_table", title, _columns())
         super().__init__(
-            "history", gettext("Calibration history"),
+            "history", title,
             gettext(
                 "Each calibration is compared with the mean of the earlier ones. A system is a "
                 "vessel with its scanner and INS/GNSS, as named in the details for the report."
