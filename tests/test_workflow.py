@@ -14,6 +14,7 @@ from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.values import encoded
+from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.survey import port_survey
 from lispac.survey.georeferencing import Mounting
@@ -154,7 +155,7 @@ def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey])
     lost = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != line),
-        missing={line: "not found"},
+        missing={line: note("finder.not_alike")},
     )
     own = target.sighting(line)
     assert own is not None

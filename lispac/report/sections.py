@@ -5,6 +5,7 @@ Angles have four decimals in degrees, distances one in millimetres.
 
 from collections.abc import Sequence
 
+from lispac.messages import note
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_section import distance_table
@@ -26,6 +27,7 @@ from lispac.report.wording import (
     quantity,
     signed,
 )
+from lispac.reverse_translation.messages import translated_text
 
 
 def summary(content: ReportContent) -> list[Block]:
@@ -106,7 +108,9 @@ def residuals(content: ReportContent) -> list[Block]:
     if content.planes:
         blocks.append(_planes_table(content))
     reasons = tuple(
-        f"{plane.name} on {line}: {reason}"
+        translated_text(
+            note("project.not_found_on_line", target=plane.name, line=line, reason=reason)
+        )
         for plane in content.planes
         for line, reason in plane.missing.items()
     )

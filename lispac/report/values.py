@@ -312,7 +312,7 @@ class PickedPlane:
     radius_m: float
     lines: tuple[str, ...]
     left_out: tuple[str, ...]
-    missing: Mapping[str, str]
+    missing: Mapping[str, Message]
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,9 @@ from PySide6.QtWidgets import (
 from lispac.errors import LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say, say_all, say_sentences
+from lispac.gui.language import say, say_all, say_message, say_sentences
 from lispac.gui.panels import widgets
+from lispac.language import gettext
 from lispac.project import Project, Role
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.coordinates import away
@@ -174,7 +175,10 @@ class SeedsFoundDialog(QDialog):
             else:
                 points = sum(len(sighting.indices) for sighting in target.sightings)
                 numbers = [f"{len(target.sightings)} of {lines}", f"{points:,}"]
-                missing = [f"Not on {line}: {why}" for line, why in target.missing.items()]
+                missing = [
+                    gettext("Not on {line}: {reason}", line=line, reason=say_message(why))
+                    for line, why in target.missing.items()
+                ]
                 remarks = [outcome.reason, *missing]
             _set_row(
                 self.table, row, _name(seed.name, seed.role), ROLES[seed.role], numbers,

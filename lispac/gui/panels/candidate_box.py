@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout
 
 from lispac.doubles import overlap_words
 from lispac.gui import units
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
 from lispac.gui.tabbing import ENTERS
@@ -69,7 +69,9 @@ class CandidateBox(QFrame):
         self.detail.setText(say(text))
         self.detail.setToolTip(
             widgets.plain_tip(
-                say("\n".join(f"{line}: {reason}" for line, reason in candidate.missing.items()))
+                "\n".join(
+                    f"{line}: {say_message(reason)}" for line, reason in candidate.missing.items()
+                )
             )
         )
         self.lights.show_target(candidate)

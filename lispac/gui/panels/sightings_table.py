@@ -15,8 +15,9 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
+from lispac.messages import note
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.quality import SightingQuality
 from lispac.workflow.survey import Survey
@@ -361,9 +362,15 @@ def _of_missing(target: Target, line: str, role: int) -> Any:
     if role == Role.ForegroundRole:
         return QBrush(QColor(theme.DISABLED))
     if role == Role.ToolTipRole:
-        reason = target.missing.get(line, "not searched for on this line")
+        reason = target.missing.get(line)
+        first = (
+            f"{target.name} on {line}: not searched for on this line"
+            if reason is None
+            else say_message(
+                note("project.not_found_on_line", target=target.name, line=line, reason=reason)
+            )
+        )
         return (
-            f"{target.name} on {line}: {reason}\nTo seed this line alone, choose it under "
-            "“Seek on” in step 2 and Ctrl+click."
+            f"{first}\nTo seed this line alone, choose it under “Seek on” in step 2 and Ctrl+click."
         )
     return None
