@@ -100,8 +100,7 @@ def _parameters(project: Project) -> Project:
 def _worse(project: Project) -> Project:
     first, *rest = project.validation
     turned = replace(first, before=first.after, after=first.before, pooled_from="all pairs")
-    refused = "The validation plane V2 is seen on one line only (L1), with at least 100 points; a "
-    refused += "comparison needs two lines. Pick it in another line or choose another plane."
+    refused = note("finder.unknown_line", line="L1")
     return replace(project, validation=(turned, *rest), not_compared={"V2": refused})
 
 

@@ -25,20 +25,24 @@ def test_reasons_are_shown_in_the_language_in_use(tmp_path: Path, saved_in: str)
     project = sample_project(tmp_path / "p")
     target = replace(project.targets[0], missing={"L9": MISSING})
     with in_language(saved_in):
-        write_project(project.with_target(target))
+        write_project(
+            project.with_target(target).with_validation(project.validation, {"V1": MISSING})
+        )
     opened = read_project(project.folder)
     assert opened.target(target.name).missing == {"L9": MISSING}
     (found,) = [
         each for each in warnings_of(opened, None) if each.code == "project.not_found_on_line"
     ]
     assert found.subject == Cause.of_sighting(target.name, "L9")
-    texts = {}
-    for language in ("en", "fr"):
-        with in_language(language):
-            texts[language] = translated_text(found)
-    assert ENGLISH in texts["en"]
-    assert ENGLISH not in texts["fr"]
-    assert "12" in texts["fr"]
+    (not_compared,) = [
+        each for each in warnings_of(opened, None) if each.code == "report.not_compared"
+    ]
+    for message in (found, not_compared):
+        assert ENGLISH in translated_text(message)
+        with in_language("fr"):
+            french = translated_text(message)
+        assert ENGLISH not in french
+        assert "12" in french
 
 
 def test_a_sentence_of_a_former_project_is_translated(tmp_path: Path) -> None:

@@ -160,7 +160,7 @@ def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
 
 def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
-    reasons = {"V4": "V4: no two lines share a place.", "V5": "V5: one line only."}
+    reasons = {name: error("finder.unknown_line", line=name) for name in ("V4", "V5")}
     found = warnings_of(project.with_validation(project.validation, reasons), None)
     for name, reason in reasons.items():
         expected = note("report.not_compared", reason=reason, subject=Cause.of_target(name))

@@ -316,7 +316,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
         "result": encoded(project.result),
         "cross_checks": encoded(project.cross_checks),
         "validation": [encoded(each) for each in project.validation],
-        "not_compared": dict(project.not_compared),
+        "not_compared": {name: encoded(why) for name, why in project.not_compared.items()},
         "absolute": encoded(project.absolute),
         "opinions": [encoded(each) for each in project.opinions],
         "data_messages": [encoded(each) for each in project.data_messages],
@@ -346,7 +346,7 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
             decoded(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
         ),
         validation=tuple(decoded(each, PlaneComparison) for each in content["validation"]),
-        not_compared=dict(content["not_compared"]),
+        not_compared=decoded(content["not_compared"], dict[str, Message]),
         truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
         trajectory_reading=decoded(content["trajectory_reading"], Reading),
         accuracy_reading=decoded(content["accuracy_reading"], Reading),

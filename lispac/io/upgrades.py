@@ -100,7 +100,8 @@ def _from_8(content: Content) -> Content:
         target | {"missing": {line: _former_text(why) for line, why in target["missing"].items()}}
         for target in content["targets"]
     ]
-    return content | {"schema_version": 9, "targets": targets}
+    not_compared = {name: _former_text(why) for name, why in content["not_compared"].items()}
+    return content | {"schema_version": 9, "targets": targets, "not_compared": not_compared}
 
 
 def _former_text(text: Any) -> Content:
