@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from lispac.adjustment.parameters import Parameter as Parameter
     from lispac.errors import LispacError as LispacError
     from lispac.identity import Identity as Identity
+    from lispac.messages import Message as Message
     from lispac.picks import PickedSighting as PickedSighting
     from lispac.picks import Target as Target
     from lispac.project import Settings as Settings
@@ -45,6 +46,7 @@ _WHERE = {
     "Identity": "lispac.identity",
     "LineSource": "lispac.survey.source",
     "LispacError": "lispac.errors",
+    "Message": "lispac.messages",
     "OpenProject": "lispac.scripting.open_project",
     "Parameter": "lispac.adjustment.parameters",
     "PickedSighting": "lispac.picks",

@@ -73,6 +73,7 @@ class Message:
         """Keep numbers of NumPy as those of Python, which every reader of parameters knows."""
         params = {name: _python_value(value) for name, value in self.params.items()}
         object.__setattr__(self, "params", params)
+        object.__setattr__(self, "level", Level(self.level))  # scripts have its value
 
     @property
     def is_serious(self) -> bool:
@@ -111,6 +112,11 @@ def _plain(value: Value) -> Any:
     if isinstance(value, str | int):
         return value
     return [_plain(each) for each in value]
+
+
+def as_message(reason: Message | str) -> Message:
+    """A message as it is; a sentence of a former project or script as the parameter of one."""
+    return note("project.former_text", reason=reason) if isinstance(reason, str) else reason
 
 
 def error(

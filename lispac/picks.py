@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
-from lispac.messages import error
+from lispac.messages import Message, error
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.settings import USUAL, FinderChoices
 
@@ -57,7 +57,7 @@ class Target:
     seed : metres, local frame, where the user clicked
     threshold, radius : float, metres
         RANSAC distance threshold, and search radius about the seed.
-    missing : for each line without it, the reason in words
+    missing : for each line without it, the reason
     shape : {"plane", "sphere"}
     sphere_radius : metres, or None where it is unknown
     expected : what is known of a plane's size and inclination beforehand
@@ -70,7 +70,7 @@ class Target:
     threshold: float
     radius: float
     sightings: tuple[PickedSighting, ...]
-    missing: Mapping[str, str] = field(default_factory=dict)
+    missing: Mapping[str, Message] = field(default_factory=dict)
     used: bool = True
     shape: Shape = "plane"
     sphere_radius: float | None = None

@@ -215,7 +215,7 @@ class Project:
     result: AdjustmentResult | None = None
     cross_checks: CrossChecks | None = None
     validation: tuple[PlaneComparison, ...] = ()
-    not_compared: Mapping[str, str] = field(default_factory=dict)
+    not_compared: Mapping[str, Message] = field(default_factory=dict)
     """For each validation plane that could not be compared, the reason in words."""
     truth_deg: Triple | None = None
     """Boresight put into a simulated survey; None for a real one."""
@@ -336,7 +336,7 @@ class Project:
         return replace(self, cross_checks=checks)
 
     def with_validation(
-        self, validation: tuple[PlaneComparison, ...], not_compared: Mapping[str, str]
+        self, validation: tuple[PlaneComparison, ...], not_compared: Mapping[str, Message]
     ) -> "Project":
         """Keep the comparison of the validation planes, and why some could not be compared."""
         return replace(self, validation=validation, not_compared=not_compared)

@@ -23,7 +23,8 @@ ABOUT = (
 
 def schema_text() -> str:
     """The schema as the file holds it."""
-    made = _plain(TypeAdapter(_in_json()).json_schema(mode="serialization"))
+    found = TypeAdapter(_in_json()).json_schema(mode="serialization")
+    made = _plain(_with_texts(found))
     head = {
         "schema": {"const": NAME},
         "schema_version": {"const": SCHEMA_VERSION},
@@ -50,6 +51,25 @@ def _in_json() -> type:
         for it in fields(ReportContent)
     ]
     return make_dataclass("ReportContent", each, namespace={"__doc__": ReportContent.__doc__})
+
+
+def _with_texts(value: Any) -> Any:
+    """A schema with texts for messages, and without the definitions of their parts."""
+    if isinstance(value, list):
+        return [_with_texts(item) for item in value]
+    if not isinstance(value, dict):
+        return value
+    if str(value.get("$ref", "")).startswith("#/$defs/Message"):
+        return {"type": "string"}
+    unused = ("Message", "Level", "Cause", "Action", "Value")
+    return {
+        key: _with_texts(
+            {name: each for name, each in item.items() if name not in unused}
+            if key == "$defs"
+            else item
+        )
+        for key, item in value.items()
+    }
 
 
 def _plain(value: Any, *, named: bool = False) -> Any:

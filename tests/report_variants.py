@@ -11,6 +11,7 @@ from lispac.adjustment.result import Component
 from lispac.adjustment.robust import LOSSES
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.io.formats import POINTS
+from lispac.messages import note
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.survey.georeferencing import Mounting
@@ -67,8 +68,11 @@ def _chi_square(factor: float, *, thesis: bool = False) -> Change:
 
 def _few_lines(project: Project) -> Project:
     first, second, third, fourth, fifth = project.targets
-    reason = "Only 12 points lie within 1 m of (0.60, -14.70, 5.10), fewer than the 50 a target "
-    reason += "needs; move the seed or enlarge the radius."
+    reason = note(
+        "finder.few_points",
+        count=12, radius=1.0, needed=50,
+        place=note("finder.place", north=0.6, west=-14.7, up=5.1),
+    )  # fmt: skip
     return replace(
         project,
         targets=(
@@ -76,7 +80,7 @@ def _few_lines(project: Project) -> Project:
             replace(second, sightings=second.sightings[:2]),
             replace(third, sightings=()),
             replace(fourth, used=False),
-            replace(fifth, missing={"L4": "The line has no points within 4.5 m of the seed."}),
+            replace(fifth, missing={"L4": note("finder.line_no_points", radius=4.5)}),
         ),
     )
 
@@ -96,8 +100,7 @@ def _parameters(project: Project) -> Project:
 def _worse(project: Project) -> Project:
     first, *rest = project.validation
     turned = replace(first, before=first.after, after=first.before, pooled_from="all pairs")
-    refused = "The validation plane V2 is seen on one line only (L1), with at least 100 points; a "
-    refused += "comparison needs two lines. Pick it in another line or choose another plane."
+    refused = note("finder.unknown_line", line="L1")
     return replace(project, validation=(turned, *rest), not_compared={"V2": refused})
 
 

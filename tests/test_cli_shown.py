@@ -16,6 +16,7 @@ from lispac.installed import window_command
 from lispac.io.plan_file import read_plan
 from lispac.io.plane_file import write_plane_file
 from lispac.io.project_file import write_project
+from lispac.messages import as_message
 from lispac.picks import Target
 from lispac.report.budget_values import BeamErrors, Budget, ErrorSource, PointError
 from lispac.simulation.thesis_site import MARINE
@@ -63,7 +64,9 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
 def test_planes_that_were_not_compared_are_told_with_the_reason(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    project = replace(sample_project(tmp_path), not_compared={"V4": "V4: seen on one line."})
+    project = replace(
+        sample_project(tmp_path), not_compared={"V4": as_message("V4: seen on one line.")}
+    )
     print_validation(project, {"V1": 0.0123})
     rows = capsys.readouterr().out.splitlines()
     assert rows[0].split()[-6:] == ["with", "truth", "mm,", "line", "to", "line"]

@@ -223,9 +223,8 @@ def test_a_line_without_the_target_says_so():
     clouds["ground"] = sheet(rng, CENTRE - [0, 0, 1.5], (0, 0, 1), 6, 6, spacing=0.05)
     found, missing = find_in_lines(clouds, CENTRE, SETTINGS, first_line="L1")
     assert set(found) == {"L1", "L2"}
-    assert "no points within" in missing["away"]
-    assert "no points within" in missing["empty"]
-    assert missing["ground"].endswith(".")
+    assert missing["away"].code == missing["empty"].code == "finder.line_no_points"
+    assert missing["ground"].code
 
 
 def test_a_seed_in_empty_space_or_an_unknown_line_is_refused():

@@ -18,7 +18,6 @@ TEXT_METHODS = {"startswith", "endswith", "find", "index"}
 """Methods of text by which code would look at the words of an error."""
 
 WITHOUT_CODE = {
-    "workflow/picking.py": 1,  # its reason is a sentence of targets/agreement.py
     "reverse_translation/catalogue.py": 1,
 }
 """Errors with a text alone, by module: they are to become messages, and no new ones come."""

@@ -95,7 +95,9 @@ def test_every_message_can_be_shown_in_every_language(language: str) -> None:
             text = text_of(template, sample_params(template))
             assert text
             assert not set("{}") & set(text)
-            assert (text == text_of_english(template)) == (language == "en"), text
+            has_words = template != TEXTS["project.former_text"]
+            same = text == text_of_english(template)
+            assert same == (language == "en" or not has_words), text
 
 
 def text_of_english(template: Template) -> str:

@@ -108,7 +108,7 @@ def test_drone(
     opened = open_project(project)
     for target in opened.targets:
         if len(target.sightings) < 2:  # the tent's smallest plane, P5
-            assert "another orientation than expected" in target.missing["line2"]
+            assert target.missing["line2"].code == "finder.other_tilt"
             save_project(opened.without_target(target.name))
     numbers = answer(capsys, "estimate", project)
     error = np.abs(angles(numbers, "boresight_deg") - reference["boresight_deg"])

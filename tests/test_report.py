@@ -215,14 +215,15 @@ def test_rules_speak_up(project: Project) -> None:
 
 def test_targets_seen_on_few_lines(project: Project) -> None:
     first, second, *rest = project.targets
-    few = replace(first, sightings=first.sightings[:1], missing={"L2": "no plane at the seed"})
+    few = replace(first, sightings=first.sightings[:1], missing={"L2": note("finder.not_alike")})
     some = replace(second, sightings=second.sightings[:2])
     content = sample_content(replace(project, targets=(few, some, *rest)))
     codes = [each.code for each in content.cautions if "T1" in message_text(each)]
     assert codes == ["targets.single_line_targets", "report.not_found_target"]
     (few,) = [each for each in content.cautions if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
-    assert "T1 on line L2: no plane at the seed" in html_text(content, {})
+    html = html_text(content, {})
+    assert "T1 on L2: Nothing in this line resembles the target and its surroundings." in html
 
 
 def test_truth_of_a_simulated_survey(project: Project) -> None:

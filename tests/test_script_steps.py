@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lispac
+from lispac.messages import error, note
 from lispac.progress import no_progress
 from lispac.project import LineSource, PickedSighting, Project, Reading, Target
 from lispac.targets.expected import ExpectedTarget
@@ -34,13 +35,14 @@ class Steps:
         self.rejected.append(names)
 
 
+PLACE = note("finder.place", north=0.5, west=-15.0, up=8.25)
 PLANE = Target(
     "T1", "target", (0.5, -15.0, 8.25), 0.012, 1.5,
     (
         PickedSighting("L1", np.arange(40, 90), 0.0021, fingerprint="90-a", by_hand=True),
         PickedSighting("L2", np.array([3, 9]), 0.0019, used=False, fingerprint="12-b", one_in=4),
     ),
-    missing={"L3": "There are no points at the seed."},
+    missing={"L3": error("finder.no_plane", place=PLACE, threshold=0.012)},
     expected=ExpectedTarget(1.2, 1.0, radians(45.0)), choices=FinderChoices(min_points=45),
 )  # fmt: skip
 

@@ -255,8 +255,7 @@ def test_a_line_without_the_ball_says_so():
     found, missing = find_spheres_in_lines(clouds, front(BALL), ANY, SETTINGS, first_line="L1")
     assert set(found) == {"L1", "L2"}
     assert set(missing) == {"away", "empty", "wall"}
-    assert "no points within" in missing["away"]
-    assert all(reason.endswith(".") for reason in missing.values())
+    assert missing["away"].code == "finder.line_no_points"
 
 
 def test_a_seed_in_empty_space_or_an_unknown_line_is_refused():

@@ -12,6 +12,7 @@ from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import share_seen
 from lispac.io.project_file import FILE_NAME
+from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.closed_form import BOARDS, Ball, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
@@ -147,7 +148,7 @@ def test_one_line_can_have_a_seed_of_its_own(balls, picked):
     lost = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != "L3"),
-        missing={"L3": "not found"},
+        missing={"L3": note("finder.not_alike")},
     )
     project = picked.with_target(lost)
     how = {"name": "S1", "line": "L3", "shape": "sphere"}

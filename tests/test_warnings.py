@@ -15,7 +15,7 @@ from lispac.cli.main import main
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import Level, Message, note, plain_params, warning
+from lispac.messages import Level, Message, error, note, plain_params, warning
 from lispac.project import PickedSighting, Project, Target
 from lispac.report.json_report import json_text
 from lispac.survey.lever_arm import lever_arm_doubts
@@ -104,11 +104,11 @@ def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> N
     without = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != line),
-        missing={line: "The line has no points there."},
+        missing={line: error("finder.line_no_points", radius=4.5)},
     )
     assert coded(project.with_target(without))["project.not_found_on_line"] == note(
         "project.not_found_on_line",
-        target=target.name, line=line, reason="The line has no points there.",
+        target=target.name, line=line, reason=error("finder.line_no_points", radius=4.5),
         subject=Cause.of_sighting(target.name, line),
     )  # fmt: skip
 
@@ -160,7 +160,7 @@ def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
 
 def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
-    reasons = {"V4": "V4: no two lines share a place.", "V5": "V5: one line only."}
+    reasons = {name: error("finder.unknown_line", line=name) for name in ("V4", "V5")}
     found = warnings_of(project.with_validation(project.validation, reasons), None)
     for name, reason in reasons.items():
         expected = note("report.not_compared", reason=reason, subject=Cause.of_target(name))

@@ -14,6 +14,7 @@ from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.values import encoded
+from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.survey import port_survey
 from lispac.survey.georeferencing import Mounting
@@ -154,7 +155,7 @@ def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey])
     lost = replace(
         target,
         sightings=tuple(s for s in target.sightings if s.line != line),
-        missing={line: "not found"},
+        missing={line: note("finder.not_alike")},
     )
     own = target.sighting(line)
     assert own is not None
@@ -177,7 +178,7 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     validated = validate(project.with_target(lonely), survey)
     assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
     reason = validated.not_compared["V1"]
-    assert "one line only" in reason
+    assert reason.code == "validation.plane_in_one_line"
     found = export.content_of(validated, survey).cautions
     said = [each.params["reason"] for each in found if each.code == "report.not_compared"]
     assert said == [reason]

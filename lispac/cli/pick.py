@@ -11,6 +11,7 @@ from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
 from lispac.doubles import overlap_with, overlap_words
+from lispac.message_texts import english_text, message_text
 from lispac.project import Project, Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
@@ -153,7 +154,7 @@ def as_json(
         "stop": target.choices.stop,
         "random_seed": target.choices.seed,
         "lines": lines,
-        "missing": dict(target.missing),
+        "missing": {line: english_text(reason) for line, reason in target.missing.items()},
     }
 
 
@@ -176,5 +177,5 @@ def _print(
                 f"radius {patch.sphere.radius:.3f} m ({known}), "
                 f"{100 * patch.share:.0f} % of the surface seen"
             )
-    for line, reason in target.missing.items():
-        print(f"{target.name} on {line:20s} not found: {reason}")
+    for line, missing in target.missing.items():
+        print(f"{target.name} on {line:20s} not found: {message_text(missing)}")

@@ -6,6 +6,7 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.qualities import as_values
+from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.workflow import projects
@@ -72,7 +73,8 @@ def _as_json(project: Project, survey: Survey, outcome: Outcome) -> dict[str, An
         s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": as_values(judged[s.line])}
         for s in target.sightings
     }
-    return said | {"lines": lines, "missing": dict(target.missing)}
+    missing = {line: english_text(reason) for line, reason in target.missing.items()}
+    return said | {"lines": lines, "missing": missing}
 
 
 def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
@@ -92,6 +94,6 @@ def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
         if outcome.reason:
             print(f"      {outcome.reason}")
         for line, reason in target.missing.items():
-            print(f"      not on {line}: {reason}")
+            print(f"      not on {line}: {message_text(reason)}")
     count = sum(outcome.target is not None for outcome in outcomes)
     print(f"{count} of {len(outcomes)} seeds led to a target")

@@ -7,7 +7,7 @@ from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.doubles import project_doubts
 from lispac.io.values import encoded
-from lispac.message_texts import message_text
+from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow import projects
@@ -45,7 +45,9 @@ def validate(arguments: Namespace) -> None:
             {
                 "planes": [encoded(comparison) for comparison in project.validation],
                 "rms_truth_m": true,
-                "not_compared": dict(project.not_compared),
+                "not_compared": {
+                    name: english_text(why) for name, why in project.not_compared.items()
+                },
                 "doubts": [plain(message_text(each)) for each in project_doubts(project)],
             }
         )
@@ -72,6 +74,6 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
         figures = "".join(f"{1000 * value:14.1f}" for value in values)
         print(f"{each.name:12s}{each.after.n:10,}{figures}")
     for reason in project.not_compared.values():
-        print(f"not compared: {reason}")
+        print(f"not compared: {message_text(reason)}")
     for message in project_doubts(project):
         print(f"note: {plain(message_text(message))}")

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
+from lispac.gui.language import say_message
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.status import counted
@@ -126,7 +127,7 @@ class Computing(QObject):
                 self._document.edit(f"validation, {model.in_words}", validated)
                 self.validated.emit()
                 for reason in validated.not_compared.values():
-                    self._controller.noted.emit(reason)
+                    self._controller.noted.emit(say_message(reason))
                 planes = counted(len(validated.validation), "validation plane")
                 self._controller.noted.emit(f"Compared the lines on {planes}")
 

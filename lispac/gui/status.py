@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.doubles import doubts_of
+from lispac.gui.language import say_message
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
@@ -176,7 +177,7 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
         return StepStatus(
             "done" if better == total and not left_out else "warning",
             sentence,
-            " ".join(["The histograms stand below.", *left_out.values()]),
+            "\n".join(["The histograms stand below.", *map(say_message, left_out.values())]),
             ready=project.result is not None and survey is not None,
         )
     if not planes:

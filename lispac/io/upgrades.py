@@ -3,9 +3,12 @@
 from collections.abc import Callable
 from typing import Any
 
+from lispac.foreign_values import InvalidContentError
+from lispac.messages import error
+
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 8
+SCHEMA_VERSION = 9
 
 
 def upgraded(content: Content) -> Content:
@@ -91,6 +94,22 @@ def _from_7(content: Content) -> Content:
     return content | {"schema_version": 8, "opinions": []}
 
 
+def _from_8(content: Content) -> Content:
+    """Version 9 keeps reasons as messages; of an older one their English text is known."""
+    targets = [
+        target | {"missing": {line: _former_text(why) for line, why in target["missing"].items()}}
+        for target in content["targets"]
+    ]
+    not_compared = {name: _former_text(why) for name, why in content["not_compared"].items()}
+    return content | {"schema_version": 9, "targets": targets, "not_compared": not_compared}
+
+
+def _former_text(text: Any) -> Content:
+    if not isinstance(text, str):
+        raise InvalidContentError(error("content.value_not_text"))
+    return {"code": "project.former_text", "level": "note", "params": {"reason": text}}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _from_1,
     2: _from_2,
@@ -99,4 +118,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     5: _from_5,
     6: _from_6,
     7: _from_7,
+    8: _from_8,
 }

@@ -8,7 +8,7 @@ placeholders.
 from collections.abc import Mapping
 from typing import Any
 
-from lispac.language import N_, Template, text_of
+from lispac.language import N_, Template, in_language, text_of
 from lispac.message_texts import (
     adjustment,
     adjustment_warnings,
@@ -81,6 +81,12 @@ ACTIONS: Mapping[str, Template] = {
 def message_text(message: Message) -> str:
     """Text of a message in the language in use."""
     return _one_line(text_of(TEXTS[message.code], _rendered(message.params)))
+
+
+def english_text(message: Message) -> str:
+    """Text of a message in English, as JSON has it."""
+    with in_language("en"):
+        return message_text(message)
 
 
 def action_text(action: Action) -> str:

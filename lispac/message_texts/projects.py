@@ -42,6 +42,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the points of target {target} are damaged. {reason} Restore the file from a copy "
         "of the project, or make the project again."
     ),
+    "project.former_text": N_("{reason}"),
     "project.not_estimated": N_(
         "{project}: the boresight angles have not been estimated. Run the estimate first."
     ),

@@ -141,6 +141,22 @@ TEXTS: Mapping[str, Template] = {
         "Two spheres {distance:m.2} m apart resemble the target equally. Set a separate seed for "
         "this line."
     ),
+    "agreement.no_overlap": N_(
+        "Only {share:percent.0} % of the plane found lies within the target's outline in the "
+        "other lines. It is another surface."
+    ),
+    "agreement.sphere_apart": N_(
+        "The sphere found is {distance:m.2} m from the target in the other lines, but at most "
+        "{limit:m.2} m are possible."
+    ),
+    "agreement.other_plane": N_(
+        "The plane found is tilted by {tilt:deg.1} deg to the target in the other lines and lies "
+        "{offset:m.2} m in front of or behind it. It is another surface."
+    ),
+    "agreement.plane_beside": N_(
+        "The plane found is {distance:m.2} m beside the target in the other lines, but at most "
+        "{limit:m.2} m are possible. It is another surface."
+    ),
     "finder.radius_differs": N_(
         "The sphere found has a radius of {radius:m.3} m, but in the line of the seed the radius "
         "is {expected:m.3} m."

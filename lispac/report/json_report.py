@@ -2,13 +2,12 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from lispac.installed import resource
-from lispac.language import in_language
-from lispac.message_texts import message_text
+from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Message, plain_params
 from lispac.report.values import ReportContent
@@ -37,15 +36,28 @@ def json_text(content: ReportContent) -> str:
     values = {
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,
-        **asdict(content),
+        **asdict(_in_english(content)),
         "cautions": [asdict(_caution(each)) for each in content.cautions],
     }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
+def _in_english(value: Any) -> Any:
+    """Values with the English text of each message among them."""
+    if isinstance(value, Message):
+        return english_text(value)
+    if is_dataclass(value) and not isinstance(value, type):
+        held = ((each.name, getattr(value, each.name)) for each in fields(value))
+        return replace(value, **{name: _in_english(each) for name, each in held})
+    if isinstance(value, tuple):
+        return tuple(map(_in_english, value))
+    if isinstance(value, Mapping):
+        return {name: _in_english(each) for name, each in value.items()}
+    return value
+
+
 def _caution(message: Message) -> Caution:
-    with in_language("en"):
-        text = message_text(message)
+    text = english_text(message)
     severity: Literal["serious", "caution"] = "serious" if message.is_serious else "caution"
     return Caution(message.code, former_code(message), severity, text, plain_params(message))
 

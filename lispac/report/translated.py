@@ -75,10 +75,6 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
         validation=tuple(
             replace(plane, measured_to=say(plane.measured_to)) for plane in content.validation
         ),
-        planes=tuple(
-            replace(plane, missing={line: say(reason) for line, reason in plane.missing.items()})
-            for plane in content.planes
-        ),
         notes=tuple(map(say, content.notes)),
         qualities=tuple(
             replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities

@@ -312,7 +312,7 @@ class PickedPlane:
     radius_m: float
     lines: tuple[str, ...]
     left_out: tuple[str, ...]
-    missing: Mapping[str, str]
+    missing: Mapping[str, Message]
 
 
 @dataclass(frozen=True)
@@ -342,7 +342,7 @@ class ReportContent:
     cross_checks: CrossChecked | None
     validation: tuple[ValidationPlane, ...]
     swath_overlap: tuple[SwathDifference, ...]
-    not_compared: tuple[str, ...]
+    not_compared: tuple[Message, ...]
     planes: tuple[PickedPlane, ...]
     lines: tuple[Line, ...]
     settings: SettingsUsed

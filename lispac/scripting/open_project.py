@@ -9,7 +9,7 @@ import numpy as np
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
-from lispac.messages import error
+from lispac.messages import as_message, error
 from lispac.project import LineSource, Role, Shape, Target
 from lispac.scripting.held import Held
 from lispac.targets.expected import ExpectedTarget
@@ -190,6 +190,9 @@ class OpenProject(Held):
 
     def put(self, target: Target) -> None:
         """Add a target with its points as they are given, or put it in the place of another."""
+        # Scripts of former versions give the reasons as sentences.
+        reasons = {line: as_message(reason) for line, reason in target.missing.items()}
+        target = replace(target, missing=reasons)
         picking.require_points(self.survey, target)
         self.project = self.project.with_target(target)
 

@@ -78,7 +78,7 @@ def find_in_lines(
     indices: Mapping[str, PointGrid] | None = None,
     beside: Mapping[str, Array] | None = None,
     progress: Progress = no_progress,
-) -> tuple[dict[str, PlanePatch], dict[str, str]]:
+) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
     """Find the target under the seed in every line.
 
     Parameters
@@ -101,7 +101,7 @@ def find_in_lines(
     -------
     found : dict of line name to PlanePatch
         Normals all face the same side.
-    missing : dict of line name to str
+    missing : dict of line name to Message
         Why the target was not found in a line, in words.
 
     Raises

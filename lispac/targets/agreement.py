@@ -8,7 +8,7 @@ inclination and position from one line to another; a surface that differs by mor
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
-from math import degrees, radians, sqrt
+from math import radians, sqrt
 from statistics import NormalDist
 from typing import TypeVar
 
@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.planes import in_plane_axes
+from lispac.messages import Message, note
 from lispac.survey.cloud import Cloud
 from lispac.targets import outline
 from lispac.targets.finder import PlanePatch
@@ -73,7 +74,7 @@ def agreeing(
     accuracy: PlacementAccuracy,
     radius: float,
     first_line: str | None,
-) -> tuple[dict[str, Patch], dict[str, str]]:
+) -> tuple[dict[str, Patch], dict[str, Message]]:
     """Sightings that can all be of one surface, and why the others cannot.
 
     Every two sightings are compared. Where some disagree, the one that disagrees with most others
@@ -96,11 +97,11 @@ def agreeing(
     Returns
     -------
     kept : dict of line name to PlanePatch or SpherePatch
-    rejected : dict of line name to str
+    rejected : dict of line name to Message
         The reasons.
     """
     seen = {name: _Sighting.of(found[name], clouds[name]) for name in found}
-    rejected: dict[str, str] = {}
+    rejected: dict[str, Message] = {}
 
     def reject(disagreement: "Disagreement") -> None:
         left = {name: seen[name] for name in seen if name not in rejected}
@@ -122,14 +123,14 @@ def agreeing(
 
 def _outvoted(
     seen: Mapping[str, "_Sighting"], disagreement: "Disagreement", first_line: str | None
-) -> dict[str, str]:
+) -> dict[str, Message]:
     """Sightings to reject so that all others agree, with the reasons."""
-    reasons: dict[str, dict[str, str]] = {name: {} for name in seen}
+    reasons: dict[str, dict[str, Message]] = {name: {} for name in seen}
     for first, second in combinations(seen, 2):
         reason = disagreement(seen[first], seen[second])
         if reason is not None:
             reasons[first][second] = reasons[second][first] = reason
-    rejected: dict[str, str] = {}
+    rejected: dict[str, Message] = {}
     while any(reasons.values()):
         suspects = [name for name in reasons if name != first_line and reasons[name]]
         # The later one of two that disagree with equally many.
@@ -143,7 +144,7 @@ def _outvoted(
 
 def _apart(
     planes: Mapping[str, "_Sighting"], accuracy: PlacementAccuracy, first_line: str | None
-) -> dict[str, str]:
+) -> dict[str, Message]:
     """Planes whose outlines do not overlap those of the target, directly or by another line.
 
     A post may hide one half of a board from one line and the other half from the next.
@@ -168,11 +169,8 @@ def _apart(
     rejected = {}
     for name in planes:
         if name not in target:
-            share = 100.0 * max(overlaps[frozenset((name, other))] for other in target)
-            rejected[name] = (
-                f"Only {share:.0f} % of the plane found lies where the other lines show the "
-                "target: it is another surface."
-            )
+            share = max(overlaps[frozenset((name, other))] for other in target)
+            rejected[name] = note("agreement.no_overlap", share=share)
     return rejected
 
 
@@ -208,7 +206,7 @@ class _Sighting:
 
 def _other_surface(
     reference: _Sighting, other: _Sighting, accuracy: PlacementAccuracy
-) -> str | None:
+) -> Message | None:
     """Why two sightings cannot be of one plane or sphere, whatever their outlines."""
     first, second = reference.patch, other.patch
     if isinstance(first, PlanePatch) and isinstance(second, PlanePatch):
@@ -218,10 +216,7 @@ def _other_surface(
         allowed = _allowed_shift(reference, other, accuracy, centre_sigma)
         apart = float(np.linalg.norm(second.centre - first.centre))
         if apart > allowed:
-            return (
-                f"The sphere found is {apart:.2f} m from where the other lines show the target; "
-                f"{allowed:.2f} m are possible."
-            )
+            return note("agreement.sphere_apart", distance=apart, limit=allowed)
     return None
 
 
@@ -231,7 +226,7 @@ def _other_plane(
     plane: PlanePatch,
     patch: PlanePatch,
     accuracy: PlacementAccuracy,
-) -> str | None:
+) -> Message | None:
     """Test inclination and offset along the normal (chi-square, three degrees of freedom)."""
     from scipy.special import chdtri
 
@@ -252,16 +247,13 @@ def _other_plane(
         statistic = float(deviation @ np.linalg.solve(covariance, deviation))
     if statistic <= chdtri(3, SIGNIFICANCE):
         return None
-    tilt = degrees(patch.plane.tilt_to(plane.plane))
-    return (
-        f"The plane found is inclined by {tilt:.1f} deg to the target on the other lines and "
-        f"lies {abs(offset):.2f} m before or behind it: it is another surface."
-    )
+    tilt = patch.plane.tilt_to(plane.plane)
+    return note("agreement.other_plane", tilt=tilt, offset=abs(offset))
 
 
 def _beside(
     reference: _Sighting, other: _Sighting, accuracy: PlacementAccuracy, largest: Array
-) -> str | None:
+) -> Message | None:
     """Test the position along the surface, where both lines show all of it."""
     if any((each.extent < SAME_SIZE * largest).any() for each in (reference, other)):
         return None
@@ -273,10 +265,7 @@ def _beside(
     apart = float(np.linalg.norm(middles[1] - middles[0]))
     if apart <= allowed:
         return None
-    return (
-        f"The plane found is {apart:.2f} m beside the target on the other lines; "
-        f"{allowed:.2f} m are possible. It is another surface."
-    )
+    return note("agreement.plane_beside", distance=apart, limit=allowed)
 
 
 def _overlap(reference: _Sighting, other: _Sighting, accuracy: PlacementAccuracy) -> float:
@@ -332,5 +321,5 @@ def _design(points: Array, axes: Array, middle: Array) -> Array:
     return np.column_stack([placed, np.ones(len(points))])
 
 
-Disagreement = Callable[[_Sighting, _Sighting], str | None]
+Disagreement = Callable[[_Sighting, _Sighting], Message | None]
 """Why two sightings cannot be of one target, or None where they can."""

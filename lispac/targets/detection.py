@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
+from lispac.messages import Message
 from lispac.progress import Progress, no_progress, part
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.finder import FinderSettings, PlanePatch
@@ -22,7 +23,7 @@ from lispac.targets.patches import FlatPatch, flat_patches, voxel_for
 
 Array = NDArray[np.float64]
 
-Found = tuple[Mapping[str, PlanePatch], Mapping[str, str]]
+Found = tuple[Mapping[str, PlanePatch], Mapping[str, Message]]
 Find = Callable[[Array, str, Progress], Found]
 
 
@@ -58,7 +59,7 @@ class DetectedPlane:
     area : float, square metres
         Of the whole surface there, beyond the search radius too.
     found : mapping of line name to PlanePatch
-    missing : mapping of line name to str
+    missing : mapping of line name to Message
         Why it was not found in a line.
     """
 
@@ -66,7 +67,7 @@ class DetectedPlane:
     line: str
     area: float
     found: Mapping[str, PlanePatch]
-    missing: Mapping[str, str]
+    missing: Mapping[str, Message]
 
     @property
     def centre(self) -> Array:

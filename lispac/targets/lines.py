@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
-from lispac.language import in_english
-from lispac.messages import Message, error
+from lispac.messages import Message, as_message, error
 from lispac.progress import Progress
 from lispac.targets.settings import FinderSettings
 from lispac.targets.shift import Shift, find_shifts, voxels
@@ -86,7 +85,7 @@ def search_lines(
     shape: Shape[Patch],
     first_line: str | None,
     progress: Progress,
-) -> tuple[dict[str, Patch], dict[str, str]]:
+) -> tuple[dict[str, Patch], dict[str, Message]]:
     """The target under the seed in every line, and why it is missing in the others.
 
     Parameters
@@ -116,7 +115,7 @@ def search_lines(
         nearest = [clicked]
     else:
         nearest = sorted(patches, key=lambda name: shape.distance(name, patches[name]))
-    best: tuple[dict[str, Patch], dict[str, str]] | None = None
+    best: tuple[dict[str, Patch], dict[str, Message]] | None = None
     for name in nearest[:3]:
         both = _from_reference(clouds, name, patches[name], shape, progress)
         if best is None or len(both[0]) > len(best[0]):
@@ -314,14 +313,14 @@ def _from_reference(
     first: Patch,
     shape: Shape[Patch],
     progress: Progress,
-) -> tuple[dict[str, Patch], dict[str, str]]:
+) -> tuple[dict[str, Patch], dict[str, Message]]:
     again = shape.follow(first_line, first)
     found, missing = _in_each(
         clouds,
         lambda name: first if name == first_line else again(name),
         lambda count, name: progress(count / len(clouds), f"Looked for the target in {name}"),
     )
-    return found, {name: in_english(reason) for name, reason in missing.items()}
+    return found, {name: as_message(reason.reason) for name, reason in missing.items()}
 
 
 def _clicked_line(

@@ -44,7 +44,7 @@ def find_spheres_in_lines(
     first_line: str | None = None,
     indices: Mapping[str, PointGrid] | None = None,
     progress: Progress = no_progress,
-) -> tuple[dict[str, SpherePatch], dict[str, str]]:
+) -> tuple[dict[str, SpherePatch], dict[str, Message]]:
     """Find the sphere under the seed in every line.
 
     Parameters
@@ -65,7 +65,7 @@ def find_spheres_in_lines(
     Returns
     -------
     found : dict of line name to SpherePatch
-    missing : dict of line name to str
+    missing : dict of line name to Message
         Why the target was not found in a line, in words.
 
     Raises

@@ -16,7 +16,7 @@ from lispac.adjustment.result import AdjustmentResult, CommonPart
 from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
-from lispac.errors import AdjustmentError, NotConverged, RankDeficient
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
@@ -216,7 +216,15 @@ def estimate(
 
 @contextmanager
 def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
-    """Names what may be behind an adjustment that has no answer, after the reason that it gives."""
+    """Add possible causes to the reason of an adjustment without a solution.
+
+    Raises
+    ------
+    NotConverged
+    RankDeficient
+    TargetDisagrees
+        The error of the block, with the causes.
+    """
     try:
         yield
     except (NotConverged, RankDeficient) as failure:
@@ -226,6 +234,8 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
         causes: list[Message | str] = [*alone, *warnings[:MOST_WARNINGS]]
         for cause in causes:
             reason = error("estimate.possible_cause", reason=reason, cause=cause)
+        if isinstance(failure, TargetDisagrees):
+            raise TargetDisagrees(reason, failure.target) from None
         raise type(failure)(reason) from None
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError, TargetNotFound
-from lispac.messages import error
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
 from lispac.targets.agreement import agreeing
@@ -164,7 +164,9 @@ def _require_same_surface(
     found[line] = patch  # the last one: where two disagree, it is the one that is rejected
     _, rejected = agreeing(found, place.clouds, place.accuracy, known.radius, None)
     if line in rejected:
-        raise TargetNotFound(f"{known.name} on {line}: {rejected[line]}")
+        raise TargetNotFound(
+            error("project.not_found_on_line", target=known.name, line=line, reason=rejected[line])
+        )
 
 
 def point_of(project: Project, survey: Survey, line: str, number: int) -> NDArray[np.float64]:
@@ -236,12 +238,12 @@ def _in_lines(
     radii: tuple[float, ...],
     first_line: str | None,
     progress: Progress,
-) -> tuple[Mapping[str, Patch], dict[str, str], float]:
+) -> tuple[Mapping[str, Patch], dict[str, Message], float]:
     """Patches, reasons and radius of the first radius that two lines answer to.
 
     Where none does, those of the radius that most lines answer to, the smallest of these.
     """
-    best: tuple[Mapping[str, Patch], dict[str, str], float] | None = None
+    best: tuple[Mapping[str, Patch], dict[str, Message], float] | None = None
     refusal: TargetNotFound | None = None
     for radius in radii:
         place = Place.of(survey.aligned, seed, first_line, radius)

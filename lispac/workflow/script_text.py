@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,8 @@ def written(value: object) -> str:
         return f"Path({str(value)!r})"
     if isinstance(value, bool) or value is None:
         return repr(value)
+    if isinstance(value, StrEnum):
+        return repr(value.value)
     if isinstance(value, float):
         return repr(float(value))  # NumPy's own say what they are besides
     if isinstance(value, (list, tuple)):

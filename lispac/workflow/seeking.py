@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
-from lispac.messages import error
+from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MOST, Cloud, Region
@@ -173,7 +173,7 @@ class Sought:
         first_line: str | None = None,
         accuracy: PlacementAccuracy = PRIOR_ACCURACY,
         progress: Progress = no_progress,
-    ) -> tuple[Mapping[str, Patch], dict[str, str]]:
+    ) -> tuple[Mapping[str, Patch], dict[str, Message]]:
         """The target at the seed in every line, and why it is missing in the others.
 
         Of each line no more is read than what the target may be in. A surface that differs from
@@ -216,7 +216,7 @@ def planes_in_lines(
     first_line: str | None = None,
     accuracy: PlacementAccuracy = PRIOR_ACCURACY,
     progress: Progress = no_progress,
-) -> tuple[dict[str, PlanePatch], dict[str, str]]:
+) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
     """As `Sought.in_lines`, for a plane."""
     regions, points = _regions(clouds, seed, settings, most=SOUGHT)
     beside = {name: _beside(regions[name], cloud, seed) for name, cloud in clouds.items()}

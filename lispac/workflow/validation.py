@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.errors import NotComparable, ProjectError
-from lispac.language import in_english
-from lispac.messages import Message, error
+from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
 from lispac.validation.comparison import PlaneComparison, compare_plane
@@ -41,7 +40,7 @@ def validate(
     if not planes:
         raise ProjectError(error("validate.no_planes", project=project.name))
     comparisons: list[PlaneComparison] = []
-    not_compared: dict[str, str] = {}
+    not_compared: dict[str, Message] = {}
     reasons: list[Message | str] = []
     for k, plane in enumerate(planes):
         step = part(progress, k / len(planes), (k + 1) / len(planes))
@@ -61,7 +60,7 @@ def validate(
                 )
             )  # fmt: skip
         except NotComparable as failure:
-            not_compared[plane.name] = in_english(failure)
+            not_compared[plane.name] = as_message(failure.reason)
             reasons.append(failure.reason)
     if not comparisons:
         refusal = reasons[0]

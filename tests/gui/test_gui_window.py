@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QAbstractItemView, QLineEdit
 
 from lispac.errors import PlaneNotFound, ProjectError
 from lispac.gui.viewport.base import PickedPoint
+from lispac.messages import note
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from tests.gui.support import (
     Control,
@@ -89,14 +90,14 @@ def test_a_line_that_lacks_a_target_is_seeded_alone(opened: Driver, demo: Demo):
     without = replace(
         whole,
         sightings=tuple(s for s in whole.sightings if s.line != line),
-        missing={line: "no plane there"},
+        missing={line: note("finder.not_alike")},
     )
     opened.window.document.edit("pick", demo.project.with_target(without))
     open_step(opened, 1)
     panel, table = opened.window.targets, opened.window.table
     cell = table.sightings.index(0, 3)
     assert table.sightings.data(cell) == "–"
-    assert "no plane there" in table.sightings.data(cell, Qt.ItemDataRole.ToolTipRole)
+    assert "resembles the target" in table.sightings.data(cell, Qt.ItemDataRole.ToolTipRole)
     opened.bot.mouseClick(
         panel.table.viewport(),
         Left,

@@ -21,7 +21,7 @@ from lispac.errors import LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say, say_sentences
+from lispac.gui.language import say, say_message, say_sentences
 from lispac.gui.panels import widgets
 from lispac.language import N_, Plural, gettext, number
 from lispac.project import Project, Role, Target
@@ -218,7 +218,7 @@ def _summary(outcomes: Sequence[Outcome]) -> str:
 def _missing(target: Target) -> list[str]:
     """Lines on which a target was not found, with the reasons."""
     return [
-        gettext("Not on {line}: {reason}", line=line, reason=say(reason))
+        gettext("Not on {line}: {reason}", line=line, reason=say_message(reason))
         for line, reason in target.missing.items()
     ]
 

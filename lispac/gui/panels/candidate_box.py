@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout
 
 from lispac.doubles import overlap_words
 from lispac.gui import units
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
 from lispac.gui.tabbing import ENTERS
@@ -93,7 +93,7 @@ class CandidateBox(QFrame):
         self.detail.setToolTip(
             widgets.plain_tip(
                 "\n".join(
-                    gettext("{line}: {reason}", line=line, reason=say(reason))
+                    gettext("{line}: {reason}", line=line, reason=say_message(reason))
                     for line, reason in candidate.missing.items()
                 )
             )
