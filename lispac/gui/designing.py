@@ -1,4 +1,4 @@
-"""Designing a site: the workspace's window, its files, and its long work."""
+"""Design of a site: the window of the workspace, its files and its long tasks."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,10 +16,12 @@ from lispac.gui.design.campaigns import all_scenarios, best_plan, simulated_surv
 from lispac.gui.design.search import found_in_words
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.design.workspace import Workspace
+from lispac.gui.language import say
 from lispac.gui.panels.histograms import preload
 from lispac.gui.tasks import TaskRunner
 from lispac.installed import home_folder
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 from lispac.workflow.designing import headline, write_field_plan
@@ -31,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class Designing(QObject):
-    """Joined to the window's parts; has a worker of its own, so that both can be worked with.
+    """Controls the design window; it has a worker of its own, so that both windows can be used.
 
     Attributes
     ----------
@@ -65,7 +67,7 @@ class Designing(QObject):
         chosen = self._dialogs.sensors_of_plan(self._main.settings)
         if chosen is None or chosen == (None, None):
             return
-        self.workspace.edit("sensors", edits.with_sensors(self.workspace.titled, *chosen))
+        self.workspace.edit(N_("sensors"), edits.with_sensors(self.workspace.titled, *chosen))
 
     def open(self) -> None:
         """Show the window, in front."""
@@ -95,7 +97,9 @@ class Designing(QObject):
         self.runner.failed.connect(self._dialogs.show_error)
         self.paper.failed.connect(self._dialogs.show_error)
         window.results.following.failed.connect(self._dialogs.show_error)
-        self.runner.stopped.connect(lambda title: window.note(f"{title}: cancelled"))
+        self.runner.stopped.connect(
+            lambda task: window.note(gettext("{task}: cancelled", task=say(task)))
+        )
         window.show_busy(False)
         return window
 
@@ -141,7 +145,7 @@ class Designing(QObject):
         self._path = path
         self.workspace.history.keep()
         self.workspace.changed.emit()
-        self._note(f"Saved {path}")
+        self._note(gettext("Saved {path}", path=path))
         return True
 
     def write_page(self) -> None:
@@ -156,9 +160,11 @@ class Designing(QObject):
             return
         titled = self.workspace.titled
         self.paper.run(
-            "Writing the field plan", lambda _progress: write_field_plan(path, titled),
-            lambda _nothing: self._note(f"Wrote {path}"), lasting=True,
-        )  # fmt: skip
+            gettext("Writing the field plan"),
+            lambda _progress: write_field_plan(path, titled),
+            lambda _nothing: self._note(gettext("Wrote {path}", path=path)),
+            lasting=True,
+        )
 
     def read_site(self) -> None:
         """Take the limits of a site from its file."""
@@ -204,7 +210,7 @@ class Designing(QObject):
             window.pictures.show_outcomes(found)
             window.show_pictures()
 
-        self.runner.run("Scenarios", work, done)
+        self.runner.run(gettext("Scenarios"), work, done)
 
     def search(self) -> None:
         """Find the best plan in the background; it is one undo step."""
@@ -223,13 +229,13 @@ class Designing(QObject):
             return best_plan(site, objective, plans, before.plan, progress)
 
         def done(found: Design) -> None:
-            self.workspace.edit("best plan", TitledPlan(title, found.plan, site.wall))
+            self.workspace.edit(N_("best plan"), TitledPlan(title, found.plan, site.wall))
             value = float(np.degrees(found.value))
             panel.say(found_in_words(value, objective, found.looked_at, found.exact))
             window.pictures.show_front(found.front, CRITERIA[objective.criterion])
 
         panel.say("")
-        self.runner.run("Finding the best plan", work, done)
+        self.runner.run(gettext("Searching for the best plan"), work, done)
 
     def surveys(self) -> None:
         """Simulate and adjust many surveys of the plan, in the background."""
@@ -253,7 +259,7 @@ class Designing(QObject):
             window.show_pictures()
 
         # Cancelled, it still has an answer where enough surveys were finished.
-        self.runner.run("Simulating surveys", work, done, lasting=True)
+        self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
 
     def compare(self) -> None:
         """Hold the survey of the main window against this plan."""
@@ -273,7 +279,7 @@ class Designing(QObject):
             return replay(project, loaded, titled)
 
         self.runner.run(
-            "Comparing with the survey", work,
+            gettext("Comparing with the survey"), work,
             lambda found: window.show_compared(found, project.name, titled),
         )  # fmt: skip
 

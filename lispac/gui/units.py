@@ -1,8 +1,8 @@
-"""The units that figures are shown and typed in; files, reports and scripts have their own.
+"""Units of the numbers shown and typed in the window; files, reports and scripts have their own.
 
-Values come and go in the unit they have always had in the window, the base: metres, millimetres,
-degrees, thousandths of a degree. Only figures, signs of units and fields know of another. What is
-a direction on a compass, or how steep something stands, is told in degrees by all.
+Values are in a base unit: metres, millimetres, degrees, thousandths of a degree. Only numbers as
+text, signs of units and fields convert them to the unit chosen. Azimuths and inclinations are in
+degrees whatever the choice.
 """
 
 import re
@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from math import floor, log10, radians
 from types import MappingProxyType
 from typing import Literal
+
+from lispac.language import current_language, number
 
 Base = Literal["m", "mm", "°", "m°"]
 
@@ -52,6 +54,7 @@ ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
         "minutes": {"°": Unit("′", 60.0, -1), "m°": Unit("″", 3.6)},
     }
 )
+NO_BREAK = "\N{NO-BREAK SPACE}"
 ROUNDED = 1e-3
 """Share by which four digits may be off."""
 _used: dict[Base, Unit] = {**METRES, **DEGREES}
@@ -105,6 +108,22 @@ def amount(value: float, base: Base, form: str) -> str:
     """The same with its sign, as it stands in a sentence."""
     sign = _used[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
+
+
+def quantity(value: float, base: Base, usual: int, *, sign: bool = False) -> str:
+    """A value with its unit, as the language of the window writes both.
+
+    Parameters
+    ----------
+    value : in the base
+    usual : decimals in the base
+    sign : whether a positive value has one
+    """
+    shown = _used[base]
+    written = number(value * shown.factor, decimals(usual, base), sign=sign)
+    if shown.sign in "°′″":
+        return written + shown.sign
+    return f"{written}{' ' if current_language() == 'en' else NO_BREAK}{shown.sign}"
 
 
 def limit(value: float, base: Base) -> str:

@@ -11,6 +11,7 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.results import CONVENTION
 from lispac.gui.viewing_actions import KEYS
+from lispac.language import gettext
 
 
 def about_box(parent: QWidget | None) -> QMessageBox:
@@ -56,13 +57,13 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
 
 def keys_said(keys: str) -> str:
     """Keys in the user's language; a letter is that on its key: W is not west."""
-    return keys if len(keys) == 1 else say(keys)
+    return keys if len(keys) == 1 else gettext(keys)
 
 
 def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
         f"<tr><td style='white-space: nowrap'><b>{keys_said(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
-        f"<td style='white-space: nowrap'>{say(what)}</td></tr>"
+        f"<td style='white-space: nowrap'>{gettext(what)}</td></tr>"
         for keys, what in part[1]
     )
-    return f"<h4>{say(part[0])}</h4><table cellspacing='3'>{rows}</table>"
+    return f"<h4>{gettext(part[0])}</h4><table cellspacing='3'>{rows}</table>"

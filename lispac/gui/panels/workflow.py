@@ -17,14 +17,16 @@ from lispac.gui.docks import raise_panel
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import STEPS, State, StepStatus
+from lispac.language import N_, gettext
 
 _HEIGHT = 46
-_GLYPHS: dict[State, tuple[str, str, str]] = {
-    "empty": ("circle-outline", "waiting", "not yet"),
-    "todo": ("circle-slice-4", "accent", "to do"),
-    "done": ("check-circle", "done", "done"),
-    "warning": ("alert-circle", "warning", "look at this"),
+_LOOKS: dict[State, tuple[str, str, str]] = {
+    "empty": ("circle-outline", "waiting", N_("not started")),
+    "todo": ("circle-slice-4", "accent", N_("to do")),
+    "done": ("check-circle", "done", N_("done")),
+    "warning": ("alert-circle", "warning", N_("check this step")),
 }
+"""Icon, colour and text of each state."""
 
 
 class WorkflowPanel(QWidget):
@@ -64,12 +66,12 @@ class WorkflowPanel(QWidget):
         self.headers[step].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def scroll_to(self, widget: QWidget) -> None:
-        """Have a widget of the open step in sight, once it has its place."""
+        """Scroll to a widget of the open step, once it is laid out."""
         area = self._areas[self.opened]
         QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(widget, 0, 0))
 
     def show_status(self, statuses: Sequence[StepStatus]) -> None:
-        """Glyph and sentence of each step."""
+        """Show the state of each step."""
         for header, status in zip(self.headers, statuses, strict=True):
             header.show_status(status)
 
@@ -84,12 +86,13 @@ class _Header(QPushButton):
         self.setCheckable(True)
         self.setMinimumHeight(_HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        self._title = f"{number}  {title}"
+        self._title = say(f"{number}  {title}")
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 3, 12, 3)
         row.setSpacing(10)
         self._glyph = QLabel()
-        name = widgets.label(self._title, "heading")
+        name = widgets.label("", "heading")
+        name.setText(self._title)
         self.sentence = widgets.label("", "muted")
         words = QVBoxLayout()
         words.setSpacing(0)
@@ -104,11 +107,13 @@ class _Header(QPushButton):
         return QSize(300, _HEIGHT)
 
     def show_status(self, status: StepStatus) -> None:
-        glyph, colour, word = _GLYPHS[status.state]
-        self._glyph.setPixmap(theme.icon(glyph, theme.colour(colour).name()).pixmap(18, 18))
-        self.sentence.setText(say(status.sentence))
-        self.setAccessibleName(say(f"{self._title}: {status.sentence}"))
-        self.setToolTip(widgets.plain_tip(say(f"{self._title}: {status.sentence} ({word})")))
+        icon, colour, state = _LOOKS[status.state]
+        self._glyph.setPixmap(theme.icon(icon, theme.colour(colour).name()).pixmap(18, 18))
+        sentence = say(status.sentence)
+        self.sentence.setText(sentence)
+        described = gettext("{step}: {status}", step=self._title, status=sentence)
+        self.setAccessibleName(described)
+        self.setToolTip(widgets.plain_tip(f"{described} ({gettext(state)})"))
 
 
 def _on_top(panel: QWidget) -> QWidget:
