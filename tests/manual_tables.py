@@ -44,7 +44,7 @@ from lispac.gui.viewing_actions import KEYS, Menu
 from lispac.installed import resource
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
-from lispac.language import LANGUAGES, Template, in_language, raw_text
+from lispac.language import LANGUAGES, Template, gettext, in_language, raw_text
 from lispac.message_texts import TOPICS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.manual_samples import assumed, samples
@@ -197,20 +197,21 @@ def _menus(language: str) -> str:
     parts = []
     for title, names in actions._MENUS.items():
         rows = list(_entries(names, ""))
-        parts.append(f"### {_bare(say(title))}\n\n{_table(MENUS[language], rows)}")
+        parts.append(f"### {_bare(gettext(title))}\n\n{_table(MENUS[language], rows)}")
     return "\n".join(parts)
 
 
 def _entries(names: Menu, under: str) -> Iterator[tuple[str, ...]]:
     for name in names:
         if isinstance(name, tuple):
-            yield from _entries(name[1], f"{under}{_bare(say(name[0]))} > ")
+            yield from _entries(name[1], f"{under}{_bare(gettext(name[0]))} > ")
         elif name in actions._ACTIONS:
-            text, _, _, keys, tip = actions._ACTIONS[name]
+            keys = actions._ACTIONS[name][3]
+            text, tip = actions.texts(name)
             first = keys[0] if isinstance(keys, tuple) else keys
             shown = STANDARD.get(first, first)
             shown = shown.replace("Shift", "Maj") if spoken() == "fr" else shown
-            yield f"{under}{_bare(say(text))}", shown, say(tip)
+            yield f"{under}{_bare(text)}", shown, tip
 
 
 def _bare(text: str) -> str:
@@ -220,8 +221,8 @@ def _bare(text: str) -> str:
 def _keys(language: str) -> str:
     parts = []
     for title, rows in KEYS:
-        said = [(keys_said(keys), say(what)) for keys, what in rows]
-        parts.append(f"### {say(title)}\n\n{_table(MENUS[language][1:], said)}")
+        described = [(keys_said(keys), gettext(what)) for keys, what in rows]
+        parts.append(f"### {gettext(title)}\n\n{_table(MENUS[language][1:], described)}")
     return "\n".join(parts)
 
 

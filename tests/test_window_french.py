@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from lispac.gui.actions import texts
 from lispac.gui.language import pieces, say, speak
 from lispac.gui.status import STEPS
 from lispac.gui.viewing_actions import STEP_ACTIONS
@@ -57,7 +58,7 @@ def test_what_the_window_shows_can_be_said_in_french(module: str) -> None:
 def test_the_menu_calls_the_steps_what_their_headers_are_called() -> None:
     speak("fr")
     try:
-        for k, (text, *_) in enumerate(STEP_ACTIONS.values()):
-            assert say(text).replace("&", "") == say(f"{k + 1}  {STEPS[k]}")
+        for k, name in enumerate(STEP_ACTIONS):
+            assert texts(name)[0].replace("&", "") == say(f"{k + 1}  {STEPS[k]}")
     finally:
         speak("en")

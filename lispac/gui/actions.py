@@ -7,7 +7,6 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.viewing_actions import (
     COLOURED,
     INSPECT_ACTIONS,
@@ -17,108 +16,114 @@ from lispac.gui.viewing_actions import (
     THEMED,
     VIEW_ACTIONS,
     VIEW_MENU,
+    Described,
     Menu,
 )
+from lispac.language import N_, gettext
 
 Keys = QKeySequence.StandardKey
 
-# name: (text, short text for the toolbar, icon, keys, tip)
-_ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
-    "new": ("&New project…", "New", "folder-plus-outline", Keys.New,
-            "Make a project from a trajectory and raw lines"),
-    "open": ("&Open project…", "Open", "folder-open-outline", Keys.Open, "Open a project"),
-    "demo": ("Open &demo survey", "Demo", "ferry", "", "Open the built-in simulated survey"),
-    "add_lines": ("Add &lines…", "Add lines", "file-plus-outline", "",
-                  "Add more lines to the open project"),
-    "save": ("&Save", "Save", "content-save-outline", Keys.Save, "Save the project"),
-    "save_as": ("Save &as…", "Save as", "", Keys.SaveAs,
-                "Save the project in another folder and go on there"),
-    "report": ("&Export report…", "Report", "file-document-outline", "Ctrl+E",
-               "Write the report as PDF, HTML, JSON or tables (CSV in a ZIP)"),
-    "lines": ("Export &georeferenced lines…", "Lines", "export-variant", "Ctrl+Shift+E",
-              "Write every line as LAZ or LAS in a coordinate system of your choice"),
-    "targets": ("Export &targets…", "Targets", "", "",
-                "Write the points of targets and validation planes, or plane files"),
-    "trajectory": ("Export tra&jectory…", "Trajectory", "", "",
-                   "Write the trajectory as SBET or text"),
-    "script": ("S&cript of this project…", "Script", "", "",
-               "Show the Python that makes this project again from its raw files"),
-    "settings": ("Sett&ings…", "Settings", "cog-outline", "Ctrl+,",
-                 "Language, view, report, and the library of sensors"),
-    "quit": ("&Quit", "Quit", "", Keys.Quit, "Close the program"),
-    "undo": ("&Undo", "Undo", "undo", Keys.Undo, "Take the last edit back"),
-    "redo": ("&Redo", "Redo", "redo", ("Ctrl+Y", "Ctrl+Shift+Z"), "Make the edit again"),
-    "seed_target": ("Seed an adjustment &target", "Target", "target", "F6",
-                    "The next Ctrl+click picks an adjustment target"),
-    "seed_validation": ("Seed a &validation plane", "Validation", "shield-check-outline", "F7",
-                        "The next Ctrl+click picks a validation plane"),
-    "seed_at": ("Seed at &coordinates…", "Coordinates", "crosshairs-gps", "F3",
-                "Type the coordinates of a seed, in the local frame or on the map"),
-    "seed_list": ("Seeds &from a file…", "Seed list", "format-list-bulleted", "Shift+F3",
-                  "Pick all targets of a list of coordinates, from a total station for example"),
-    "propose": ("&Propose targets", "Propose", "auto-fix", "F5",
-                "Find flat surfaces on all lines and propose targets and validation planes"),
-    "find_again": ("F&ind again with other settings…", "Find again", "refresh", "Shift+F5",
-                   "Seek the selected target with another threshold or search radius"),
-    "accept": ("&Accept the plane found", "Accept", "check-bold", ("Return", "Enter"),
-               "Accept the detected plane"),
-    "reject": ("Re&ject the plane found", "Reject", "close", "Esc",
-               "Discard the detected plane"),
-    "estimate": ("&Estimate boresight", "Estimate", "calculator-variant-outline", "F9",
-                 "Adjust boresight and planes together"),
-    "validate": ("&Validate", "Validate", "check-decagram-outline", "F10",
-                 "Compare the lines on the validation planes"),
-    "check": ("Check against a &reference…", "Check", "", "Shift+F10",
-              "Compare the lines with a static scan or surveyed points"),
-    "line_quality": ("&Differences between lines…", "Differences", "", "Ctrl+F10",
-                     "How far every two lines are apart where the scene is flat, as shown"),
-    "budget": ("Error &budget…", "Budget", "", "",
-               "What each source of error does to a point at a distance"),
-    "history": ("Calibrations over the &years…", "History", "", "F11",
-                "All calibrations of a vessel's system: has its mounting moved?"),
-    "patch_test": ("LiDAR &patch test", "Patch test", "", "Ctrl+T",
-                   "Align lines on objects: an alternative method for the boresight"),
-    "subsampling": ("&Subsampling study…", "Subsampling", "", "Shift+F9",
-                    "Adjust with points nearer together and farther apart, and compare"),
-    "methods": ("Compare with other &methods…", "Methods", "", "Ctrl+F9",
-                "What the validation planes and the scene itself say of the boresight"),
-    "visibility": ("&Visibility of errors…", "Visibility", "", "",
-                   "Which board and which lines show which systematic error"),
-    "design": ("&Design a site…", "Design", "", "Ctrl+Shift+D",
-               "Which boards, where, and which lines: see what they will give before surveying"),
-    "cancel": ("&Cancel the running task", "Cancel", "close-circle-outline", "Ctrl+.",
-               "Stop; nothing is changed"),
-    "before": ("&Before (prior boresight)", "Before", "history", "",
-               "Show the lines placed with the prior boresight"),
-    "after": ("&After (estimated boresight)", "After", "check-all", "",
-              "Show the lines placed with the estimated boresight"),
-    "toggle": ("&Switch before / after", "Switch", "swap-horizontal", "B",
-               "Switch the view between prior and estimated boresight"),
-    "warnings": ("&Warnings", "Warnings", "alert-outline", "F12",
-                 "All there is to be warned of; each leads to its cause"),
+_ACTIONS: dict[str, Described] = {
+    "new": (N_("&New project…"), N_("New"), "folder-plus-outline", Keys.New,
+            N_("Create a project from a trajectory and lines")),
+    "open": (N_("&Open project…"), N_("Open"), "folder-open-outline", Keys.Open,
+             N_("Open a project")),
+    "demo": (N_("Open &demo survey"), "", "ferry", "", N_("Open the built-in simulated survey")),
+    "add_lines": (N_("Add &lines…"), "", "file-plus-outline", "",
+                  N_("Add lines to the open project")),
+    "save": (N_("&Save"), N_("Save"), "content-save-outline", Keys.Save, N_("Save the project")),
+    "save_as": (N_("Save &as…"), "", "", Keys.SaveAs,
+                N_("Save the project in another folder and continue there")),
+    "report": (N_("&Export report…"), N_("Report"), "file-document-outline", "Ctrl+E",
+               N_("Write the report as PDF, HTML, JSON or tables (CSV in a ZIP file)")),
+    "lines": (N_("Export &georeferenced lines…"), "", "export-variant", "Ctrl+Shift+E",
+              N_("Write the lines as LAZ or LAS in a coordinate system of your choice")),
+    "targets": (N_("Export &targets…"), "", "", "",
+                N_("Write the points of targets and validation planes, or plane files")),
+    "trajectory": (N_("Export tra&jectory…"), "", "", "",
+                   N_("Write the trajectory as SBET or text")),
+    "script": (N_("S&cript of this project…"), "", "", "",
+               N_("Show the Python script that creates this project from its input files")),
+    "settings": (N_("Sett&ings…"), "", "cog-outline", "Ctrl+,",
+                 N_("Language, view, report and sensor library")),
+    "quit": (N_("&Quit"), "", "", Keys.Quit, N_("Quit the program")),
+    "undo": (N_("&Undo"), N_("Undo"), "undo", Keys.Undo, N_("Undo the last edit")),
+    "redo": (N_("&Redo"), N_("Redo"), "redo", ("Ctrl+Y", "Ctrl+Shift+Z"),
+             N_("Redo the edit that was undone")),
+    "seed_target": (N_("Seed an adjustment &target"), N_("Target"), "target", "F6",
+                    N_("The next Ctrl+click seeds an adjustment target")),
+    "seed_validation": (N_("Seed a &validation plane"), N_("Validation"), "shield-check-outline",
+                        "F7", N_("The next Ctrl+click seeds a validation plane")),
+    "seed_at": (N_("Seed at &coordinates…"), "", "crosshairs-gps", "F3",
+                N_("Enter the coordinates of a seed, in the local frame or on the map")),
+    "seed_list": (N_("Seeds &from a file…"), "", "format-list-bulleted", "Shift+F3",
+                  N_("Detect the targets of a list of coordinates, such as one from a total "
+                     "station")),
+    "propose": (N_("&Propose targets"), "", "auto-fix", "F5",
+                N_("Find flat surfaces in all lines and propose targets and validation planes")),
+    "find_again": (N_("F&ind again with other settings…"), "", "refresh", "Shift+F5",
+                   N_("Search for the selected target with another threshold or search radius")),
+    "accept": (N_("&Accept the plane found"), "", "check-bold", ("Return", "Enter"),
+               N_("Accept the detected plane")),
+    "reject": (N_("Re&ject the plane found"), "", "close", "Esc",
+               N_("Discard the detected plane")),
+    "estimate": (N_("&Estimate boresight"), N_("Estimate"), "calculator-variant-outline", "F9",
+                 N_("Adjust the boresight and the planes together")),
+    "validate": (N_("&Validate"), N_("Validate"), "check-decagram-outline", "F10",
+                 N_("Compare the lines on the validation planes")),
+    "check": (N_("Check against a &reference…"), "", "", "Shift+F10",
+              N_("Compare the lines with a static scan or surveyed points")),
+    "line_quality": (N_("&Differences between lines…"), "", "", "Ctrl+F10",
+                     N_("Differences between every two lines, as shown, where the scene is flat")),
+    "budget": (N_("Error &budget…"), "", "", "",
+               N_("Effect of each source of error on a point at a given range")),
+    "history": (N_("Calibrations over the &years…"), "", "", "F11",
+                N_("All calibrations of a vessel’s system: shows whether the mounting has moved")),
+    "patch_test": (N_("LiDAR &patch test"), "", "", "Ctrl+T",
+                   N_("Align lines on objects: an alternative method for the boresight")),
+    "subsampling": (N_("&Subsampling study…"), "", "", "Shift+F9",
+                    N_("Adjust with smaller and larger point spacings, and compare")),
+    "methods": (N_("Compare with other &methods…"), "", "", "Ctrl+F9",
+                N_("Boresight from the validation planes and from the scene without targets")),
+    "visibility": (N_("&Visibility of errors…"), "", "", "",
+                   N_("Boards and lines that make each systematic error visible")),
+    "design": (N_("&Design a site…"), "", "", "Ctrl+Shift+D",
+               N_("Plan boards and lines, and predict the precision before the survey")),
+    "cancel": (N_("&Cancel the running task"), "", "close-circle-outline", "Ctrl+.",
+               N_("Stop the running task; nothing is changed")),
+    "before": (N_("&Before (prior boresight)"), N_("Before"), "history", "",
+               N_("Show the lines placed with the prior boresight")),
+    "after": (N_("&After (estimated boresight)"), N_("After"), "check-all", "",
+              N_("Show the lines placed with the estimated boresight")),
+    "toggle": (N_("&Switch before / after"), "", "swap-horizontal", "B",
+               N_("Switch the view between prior and estimated boresight")),
+    "warnings": (N_("&Warnings"), "", "alert-outline", "F12",
+                 N_("List all warnings; each leads to its cause")),
     **STEP_ACTIONS,
     **VIEW_ACTIONS,
     **INSPECT_ACTIONS,
-    "manual": ("Ma&nual", "Manual", "book-open-outline", "Shift+F1",
-               "The manual in the browser; it needs no network"),
-    "manual_step": ("This &step in the manual", "This step", "", "Ctrl+F1",
-                    "What the manual says of the step that is open"),
-    "keys": ("&Mouse and keys", "Keys", "keyboard-outline", "F1", "What mouse and keys do"),
-    "english": ("&English", "English", "", "", "The window in English"),
-    "french": ("&Français", "Français", "", "", "La fenêtre en français"),
-    "tour": ("Three-minute &tour", "Tour", "compass-outline", "",
-             "Calibrate the built-in survey, led step by step"),
-    "log_file": ("Open the &log file", "Log file", "", "",
-                 "What happened and when, with the details of every error"),
-    "about": ("&About LISPAC", "About", "information-outline", "", "Version and conventions"),
+    "manual": (N_("Ma&nual"), "", "book-open-outline", "Shift+F1",
+               N_("Open the manual in the browser; no network is needed")),
+    "manual_step": (N_("This &step in the manual"), "", "", "Ctrl+F1",
+                    N_("Open the manual at the step that is shown")),
+    "keys": (N_("&Mouse and keys"), "", "keyboard-outline", "F1",
+             N_("List the functions of the mouse and the keys")),
+    "english": ("&English", "", "", "", N_("The window in English")),
+    "french": ("&Français", "", "", "", "La fenêtre en français"),
+    "tour": (N_("Three-minute &tour"), "", "compass-outline", "",
+             N_("Calibrate the built-in survey step by step")),
+    "log_file": (N_("Open the &log file"), "", "", "",
+                 N_("Events with their times, and the details of every error")),
+    "about": (N_("&About LISPAC"), "", "information-outline", "", N_("Version and conventions")),
 }  # fmt: skip
+"""Each action by its name; the languages are named in themselves."""
 
 _CHECKABLE = (
     ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOURED.values()),
     ("english", "french"), tuple(THEMED.values()),
 )  # fmt: skip
 _MENUS: dict[str, Menu] = {
-    "&File": (
+    N_("&File"): (
         "new",
         "open",
         "demo",
@@ -139,10 +144,10 @@ _MENUS: dict[str, Menu] = {
         "",
         "quit",
     ),
-    "&Edit": ("undo", "redo"),
-    "&View": VIEW_MENU,
-    "&Inspect": INSPECT_MENU,
-    "&Targets": (
+    N_("&Edit"): ("undo", "redo"),
+    N_("&View"): VIEW_MENU,
+    N_("&Inspect"): INSPECT_MENU,
+    N_("&Targets"): (
         "seed_target",
         "seed_validation",
         "seed_at",
@@ -160,7 +165,7 @@ _MENUS: dict[str, Menu] = {
         "lasso_add",
         "lasso_remove",
     ),
-    "&Adjust": (
+    N_("&Adjust"): (
         "estimate",
         "",
         "patch_test",
@@ -171,8 +176,8 @@ _MENUS: dict[str, Menu] = {
         "",
         "cancel",
     ),
-    "Va&lidate": ("validate", "check", "line_quality", "", "budget", "history"),
-    "&Help": ("tour", "manual", "manual_step", "keys", "", "log_file", "about"),
+    N_("Va&lidate"): ("validate", "check", "line_quality", "", "budget", "history"),
+    N_("&Help"): ("tour", "manual", "manual_step", "keys", "", "log_file", "about"),
 }
 _TOOLBAR = (
     "new", "open", "save", "", "undo", "redo", "", "seed_target", "seed_validation", "", "estimate",
@@ -181,13 +186,22 @@ _TOOLBAR = (
 )  # fmt: skip
 
 
+def texts(name: str) -> tuple[str, str]:
+    """Menu text and tip of an action in the language of the window."""
+    text, _, _, _, tip = _ACTIONS[name]
+    if name in STEP_ACTIONS:
+        number = list(STEP_ACTIONS).index(name) + 1
+        return f"&{gettext(text)}", gettext(tip, number=number)
+    return gettext(text), gettext(tip)
+
+
 class Actions(QObject):
     """The window's actions, by name."""
 
     def __init__(self, window: QMainWindow, stack: QUndoStack) -> None:
         super().__init__(window)
         self._window = window
-        self.recent = QMenu(say("Open &recent"), window)
+        self.recent = QMenu(gettext("Open &recent"), window)
         self.recent.setObjectName("recent_menu")
         self._by_name = {name: self._made(name) for name in _ACTIONS}
         for pair in _CHECKABLE:
@@ -217,12 +231,12 @@ class Actions(QObject):
         """Build the menu bar."""
         self._docks = list(docks)
         for title, names in _MENUS.items():
-            self._fill(self._window.menuBar().addMenu(say(title)), names)
+            self._fill(self._window.menuBar().addMenu(gettext(title)), names)
 
     def _fill(self, menu: QMenu, names: Menu) -> None:
         for name in names:
             if isinstance(name, tuple):
-                self._fill(menu.addMenu(say(name[0])), name[1])
+                self._fill(menu.addMenu(gettext(name[0])), name[1])
             elif name == "RECENT":
                 menu.addMenu(self.recent)
             elif name == "DOCKS":
@@ -234,7 +248,7 @@ class Actions(QObject):
 
     def fill_toolbar(self) -> QToolBar:
         """Build the toolbar."""
-        bar = QToolBar(say("Toolbar"), self._window)
+        bar = QToolBar(gettext("Toolbar"), self._window)
         bar.setObjectName("toolbar")
         bar.setMovable(False)
         bar.setIconSize(QSize(20, 20))
@@ -246,19 +260,21 @@ class Actions(QObject):
                 bar.addSeparator()
         return bar
 
-    def _name_undo(self, text: str) -> None:
-        self["undo"].setText(say(f"&Undo {text}".strip()))
-        self["undo"].setIconText(say("Undo"))
+    def _name_undo(self, edit: str) -> None:
+        self["undo"].setText(gettext("&Undo {edit}", edit=edit) if edit else gettext("&Undo"))
+        self["undo"].setIconText(gettext("Undo"))
 
-    def _name_redo(self, text: str) -> None:
-        self["redo"].setText(say(f"&Redo {text}".strip()))
-        self["redo"].setIconText(say("Redo"))
+    def _name_redo(self, edit: str) -> None:
+        self["redo"].setText(gettext("&Redo {edit}", edit=edit) if edit else gettext("&Redo"))
+        self["redo"].setIconText(gettext("Redo"))
 
     def _made(self, name: str) -> QAction:
-        text, short, icon, keys, tip = _ACTIONS[name]
-        action = QAction(say(text), self._window)
+        _, short, icon, keys, _ = _ACTIONS[name]
+        text, tip = texts(name)
+        action = QAction(text, self._window)
         action.setObjectName(f"action_{name}")
-        action.setIconText(say(short))
+        if short:
+            action.setIconText(gettext(short))
         if icon:
             action.setIcon(theme.icon(icon))
         if isinstance(keys, tuple):
@@ -266,6 +282,6 @@ class Actions(QObject):
         elif keys:
             action.setShortcut(QKeySequence(keys))
         shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{say(tip)} ({shown})" if shown else say(tip))
-        action.setStatusTip(say(tip))
+        action.setToolTip(f"{tip} ({shown})" if shown else tip)
+        action.setStatusTip(tip)
         return action

@@ -1,4 +1,4 @@
-"""What a window shows and what stands in its fields, for the one made in its place."""
+"""Transfer of the state of a window to the one that replaces it: fields, choices, view."""
 
 from typing import TYPE_CHECKING, TypeVar
 
@@ -16,10 +16,7 @@ Kind = TypeVar("Kind", bound=QWidget)
 
 
 def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
-    """Fill in what was typed and chosen in the steps; the open step is open again.
-
-    What was found and waits for a yes or a no waits on.
-    """
+    """Transfer fields and choices of the steps, the open step, the view and the candidate."""
     for before, after in (
         (former.data, heir.data),
         (former.targets, heir.targets),
@@ -36,9 +33,9 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
 
 
 def fill_in(before: QWidget, after: QWidget) -> None:
-    """Give fields the choices and numbers of those that have the same names.
+    """Copy choices and numbers between the fields that have the same names.
 
-    Choices first: what is typed may be in the unit that one of them sets.
+    Choices first: they may set the unit of a number.
     """
     _choices(before, after)
     _numbers(before, after)
@@ -49,7 +46,7 @@ def _choices(before: QWidget, after: QWidget) -> None:
         if list_.count() == own.count():
             own.setCurrentIndex(list_.currentIndex())
     for button, own in _pairs(QAbstractButton, before, after):
-        # Of radio buttons that one is on says all: none of them can be turned off
+        # A radio button cannot be switched off, only another one on.
         if button.isCheckable() and (button.isChecked() or not own.autoExclusive()):
             own.setChecked(button.isChecked())
 
@@ -66,7 +63,7 @@ def _numbers(before: QWidget, after: QWidget) -> None:
 
 
 def _shown(former: "MainWindow", heir: "MainWindow") -> None:
-    """Lines before or after, or both beside each other, in their colours."""
+    """Transfer the state and the colouring of the view."""
     heir.scene.take_over(former.scene)
     for name in ("wipe", COLOURED[former.scene.colouring]):
         heir.actions_[name].setChecked(former.actions_[name].isChecked())

@@ -1,6 +1,6 @@
-"""What there is to be warned of: gathered after every change, shown, and followed to its cause.
+"""List of warnings: collected after every change, shown, and followed to their causes.
 
-The worker that gathers is its own, so that the list is that of the project also while an adjustment
+They are collected in a thread of their own, so that the list is up to date also while an adjustment
 runs.
 """
 
@@ -29,12 +29,12 @@ Gathered = tuple[int, tuple[Message, ...]]
 
 
 class Cautioning(QObject):
-    """Joined to the window's parts."""
+    """Collects the warnings of the project and opens the cause of one that is clicked."""
 
     selected = Signal(str, str)
-    """Target and line (or "") that are gone to."""
+    """Target and line (or "") to select."""
     shown = Signal()
-    """The list is that of the project as it stands."""
+    """The list is up to date."""
     _gathered = Signal(object)
 
     def __init__(self, window: "MainWindow") -> None:
@@ -61,7 +61,7 @@ class Cautioning(QObject):
 
     @property
     def is_current(self) -> bool:
-        """Whether the list is that of the project as it stands."""
+        """Whether the list is up to date."""
         return self._asked == self._told and not self._rest.isActive()
 
     def open(self) -> None:
@@ -82,7 +82,7 @@ class Cautioning(QObject):
         self._watch()
 
     def _forget(self) -> None:
-        """Another project has had no result that an edit could have dropped."""
+        """Another project has no result yet that an edit could make out of date."""
         self._had_result = False
 
     def _watch(self) -> None:

@@ -11,6 +11,7 @@ from lispac.gui.scene import Scene
 from lispac.gui.viewport.base import Colour, Handle, Sketch, Viewport
 from lispac.gui.viewport.clipping import EDGES, Array, Box
 from lispac.gui.viewport.decimation import robust_sample
+from lispac.language import gettext
 from lispac.targets.section import common_normal
 
 COLOUR: Colour = (255, 170, 0)
@@ -44,7 +45,7 @@ class Clipping(QObject):
         viewport.signals.handle_let_go.connect(self._let_go)
 
     def begin(self) -> None:
-        """Lay the box about what is selected, else about everything."""
+        """Place the box around the selected target, or around everything."""
         groups = list(self._scene.selected_points.values())
         if groups:
             box = Box.about(np.concatenate(groups), common_normal(groups), MARGIN)
@@ -58,12 +59,12 @@ class Clipping(QObject):
         self._take(box)
         self._bring(self.panel)
 
-    def show(self, points: Array, what: str) -> None:
-        """Take the box along to points (n, 3) that are gone to, where it hides most of them."""
+    def show(self, points: Array, name: str) -> None:
+        """Move the box around points (n, 3) to be shown, if it hides most of them."""
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
         self._take(Box.about(points, common_normal([points]), MARGIN))
-        self._note(f"The clip box hid {what}; it lies about it now")
+        self._note(gettext("The clip box hid {name} and was moved around it.", name=name))
 
     def reset(self) -> None:
         """Draw everything."""

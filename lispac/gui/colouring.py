@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.gui import units
 from lispac.gui.viewport.base import Array, Shading
+from lispac.language import N_, gettext
 from lispac.survey.cloud import Cloud
 
 Colouring = Literal["line", "height", "intensity", "range", "time", "residual"]
@@ -32,10 +33,10 @@ LOOKED_AT = 100_000
 """Points of a line that settle the ends of the scale."""
 
 TITLES: dict[Colouring, str] = {
-    "height": "Height (m)",
-    "intensity": "Intensity",
-    "range": "Range (m)",
-    "time": "Time since the first line began (s)",
+    "height": N_("Height (m)"),
+    "intensity": N_("Intensity"),
+    "range": N_("Range (m)"),
+    "time": N_("Time since the start of the first line (s)"),
 }
 
 
@@ -54,7 +55,7 @@ def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None
     Raises
     ------
     ValueError
-        Where a line has nothing to colour by, in words.
+        If a line lacks the values; the text is in the language of the window.
     """
     if colouring == "line" or not clouds:
         return None
@@ -69,7 +70,7 @@ def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None
     form, length = f",.{decimals}f", colouring in ("height", "range")
     metric = (f"{low - start:{form}}", f"{high - start:{form}}")
     shown = (units.figure(low, "m", form), units.figure(high, "m", form)) if length else metric
-    return Shading(colours, TITLES[colouring], *shown, scale, metric)
+    return Shading(colours, gettext(TITLES[colouring]), *shown, scale, metric)
 
 
 def _values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
@@ -81,7 +82,7 @@ def _values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
         return cloud.sample_time
     intensity = cloud.sample_intensity
     if intensity is None:
-        raise ValueError(f"{name} has no intensities; choose another colouring")
+        raise ValueError(gettext("{line} has no intensities. Choose another colouring.", line=name))
     return intensity
 
 

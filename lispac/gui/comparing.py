@@ -10,10 +10,11 @@ from lispac.gui.document import Document
 from lispac.gui.scene import Scene
 from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import Viewport
+from lispac.language import gettext
 
 
 class Comparing(QObject):
-    """The wipe: it lasts until it is switched off, or the lines are shown as before."""
+    """Wipe between before and after; ends when switched off or the prior state is shown."""
 
     def __init__(
         self,
@@ -39,7 +40,7 @@ class Comparing(QObject):
             self._end()
         elif project is None or project.result is None:
             self._action.setChecked(False)
-            self._note("Estimate first; then before and after can be compared")
+            self._note(gettext("Estimate first, to compare before and after."))
         elif self._scene.which == "estimated":
             self._follow()
         else:

@@ -12,8 +12,8 @@ from lispac.gui.document import Document
 from lispac.gui.language import say_message
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
-from lispac.gui.status import counted
 from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import N_, Plural, Template, gettext
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -21,10 +21,22 @@ from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.export_request import ExportRequest
 from lispac.workflow.survey import Survey
 
-WORDS = {
-    "lines": "the lines", "targets": "the targets", "planes": "the plane files",
-    "trajectory": "the trajectory",
-}  # fmt: skip
+WRITING = {
+    "lines": N_("Writing the lines"),
+    "targets": N_("Writing the targets"),
+    "planes": N_("Writing the plane files"),
+    "trajectory": N_("Writing the trajectory"),
+}
+"""Title of the task that exports each kind of data."""
+
+PLANE_THROUGH_POINTS = Plural(
+    "validation, local plane through {count:n} point",
+    "validation, local plane through {count:n} points",
+)
+QUADRIC_THROUGH_POINTS = Plural(
+    "validation, local quadric through {count:n} point",
+    "validation, local quadric through {count:n} points",
+)
 
 
 @dataclass(frozen=True)
@@ -34,7 +46,7 @@ class PointCount:
     Attributes
     ----------
     kept : None while they are counted, and where they cannot be
-    reason : why they cannot be counted, in words
+    reason : why they cannot be counted, in the language of the window
     """
 
     kept: int | None
@@ -102,7 +114,8 @@ class Computing(QObject):
             else:
                 self.counted.emit(PointCount(kept, total, len(sightings)))
 
-        self._counting = self._runner.run("Counting points", work, done, quiet=True, key="count")
+        title = gettext("Counting points")
+        self._counting = self._runner.run(title, work, done, quiet=True, key="count")
 
     def measure_to(self, model: LocalModel) -> None:
         """Measure so from the next validation on."""
@@ -124,14 +137,17 @@ class Computing(QObject):
 
         def done(validated: Project) -> None:
             if self._document.project is project:
-                self._document.edit(f"validation, {model.in_words}", validated)
+                self._document.edit(_validation_name(model), validated, **_model_params(model))
                 self.validated.emit()
                 for reason in validated.not_compared.values():
                     self._controller.noted.emit(say_message(reason))
-                planes = counted(len(validated.validation), "validation plane")
-                self._controller.noted.emit(f"Compared the lines on {planes}")
+                compared = Plural(
+                    "Compared the lines on {count:n} validation plane",
+                    "Compared the lines on {count:n} validation planes",
+                )
+                self._controller.noted.emit(gettext(compared, count=len(validated.validation)))
 
-        task = self._runner.run("Validating", work, done, key="validate")
+        task = self._runner.run(gettext("Validating"), work, done, key="validate")
         self._controller.based_on_project(task)
 
     def show(self, which: Which) -> None:
@@ -165,7 +181,7 @@ class Computing(QObject):
                 then()
 
         return self._runner.run(
-            "Placing the lines with the estimated boresight",
+            gettext("Placing the lines with the estimated boresight"),
             lambda progress: survey.shown(project, "estimated", progress=progress),
             done,
             key=key,
@@ -186,10 +202,10 @@ class Computing(QObject):
             paths, notes = written
             for note in notes:
                 self._controller.noted.emit(note)
-            count = "" if len(paths) == 1 else f" ({len(paths)} files)"
-            self._controller.noted.emit(f"Wrote {request.output}{count}")
+            wrote = Plural("Wrote {path}", "Wrote {path} ({count:n} files)")
+            self._controller.noted.emit(gettext(wrote, count=len(paths), path=request.output))
 
-        self._runner.run(f"Writing {WORDS[request.what]}", work, done, lasting=True)
+        self._runner.run(gettext(WRITING[request.what]), work, done, lasting=True)
 
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
@@ -206,3 +222,22 @@ class Computing(QObject):
 def _used_sightings(project: Project | None):
     targets = () if project is None else project.of_role("target")
     return [sighting for target in targets for sighting in target.used_sightings]
+
+
+def _validation_name(model: LocalModel) -> Template:
+    """Name of the edit by the surface that distances are measured to."""
+    if model.kind == "point":
+        return N_("validation, nearest point")
+    if model.radius is not None:
+        if model.kind == "plane":
+            return N_("validation, local plane within {radius:m} m")
+        return N_("validation, local quadric within {radius:m} m")
+    if model.kind == "plane":
+        return PLANE_THROUGH_POINTS
+    return QUADRIC_THROUGH_POINTS
+
+
+def _model_params(model: LocalModel) -> dict[str, float]:
+    if model.radius is not None:
+        return {"radius": model.radius}
+    return {"count": model.neighbours}

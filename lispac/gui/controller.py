@@ -16,6 +16,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.wishes import Wishes
+from lispac.language import N_, Plural, gettext
 from lispac.messages import error
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
@@ -100,9 +101,11 @@ class Controller(QObject):
             self._opened(opened)
             if found and self._document.project is opened[0]:
                 self._document.undo_stack.resetClean()
-                self.noted.emit("The files were found; save the project to keep where they are")
+                self.noted.emit(
+                    gettext("The files were found. Save the project to keep their new location.")
+                )
 
-        self._runner.run(f"Opening {name}", work, done, shows=True)
+        self._runner.run(gettext("Opening {name}", name=name), work, done, shows=True)
 
     def create(self, request: ImportRequest) -> None:
         """Make a project and open it."""
@@ -122,16 +125,15 @@ class Controller(QObject):
                 progress=progress,
             )
 
-        self._runner.run(
-            f"Making {request.folder.name}", work, self._opened, lasting=True, shows=True
-        )
+        title = gettext("Creating {name}", name=request.folder.name)
+        self._runner.run(title, work, self._opened, lasting=True, shows=True)
 
     def add_lines(self, lines: Sequence[LineSource]) -> None:
         """Add lines to the project: one undo step."""
         project = self._document.project
         if project is None:
             return
-        what = lines[0].name if len(lines) == 1 else f"{len(lines)} lines"
+        count, name = len(lines), lines[0].name
 
         def work(progress: Progress) -> Opened:
             from lispac.workflow.projects import with_lines_added
@@ -141,12 +143,21 @@ class Controller(QObject):
         def done(added: Opened) -> None:
             edited, survey = added
             self._drop_candidate()  # it was sought in the lines there were
-            self._document.edit(f"addition of {what}", edited, survey=survey)
+            edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
+            self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
                 self.noted.emit(note)
-            self.noted.emit(f"Added {what} to {project.name}; save the project to keep them")
+            if count == 1:
+                template = N_("{line} was added to {project}. Save the project to keep it.")
+            else:
+                template = N_(
+                    "{count:n} lines were added to {project}. Save the project to keep them."
+                )
+            self.noted.emit(gettext(template, count=count, line=name, project=project.name))
 
-        self.based_on_project(self._runner.run(f"Adding {what}", work, done))
+        template = N_("Adding {line}") if count == 1 else N_("Adding {count:n} lines")
+        title = gettext(template, count=count, line=name)
+        self.based_on_project(self._runner.run(title, work, done))
 
     def open_demo(
         self, folder: Path | None = None, *, first: Callable[[], None] = lambda: None
@@ -171,7 +182,7 @@ class Controller(QObject):
             first()
             self._opened(opened)
 
-        self._runner.run("Opening the demo survey", work, done, shows=True)
+        self._runner.run(gettext("Opening the demo survey"), work, done, shows=True)
 
     def save(self) -> bool:
         """Write the project; whether that went well."""
@@ -196,7 +207,7 @@ class Controller(QObject):
             self.refused.emit(failure)
             return False
         self._document.mark_saved(saved.file_digest)
-        self.noted.emit(f"Saved {project.name}")
+        self.noted.emit(gettext("Saved {project}", project=project.name))
         return True
 
     def save_as(self, folder: Path) -> None:
@@ -214,9 +225,16 @@ class Controller(QObject):
             moved, found = saved
             self._document.move(moved, found)
             self._settings.add_recent(moved.folder)
-            self.noted.emit(f"Saved as {moved.folder}; {project.folder} stays as it was saved last")
+            self.noted.emit(
+                gettext(
+                    "Saved as {folder}. The project in {former} stays as it was last saved.",
+                    folder=moved.folder,
+                    former=project.folder,
+                )
+            )
 
-        self._runner.run(f"Saving as {folder.name}", work, done, lasting=True)
+        title = gettext("Saving as {name}", name=folder.name)
+        self._runner.run(title, work, done, lasting=True)
 
     def _opened(self, opened: Opened) -> None:
         project, survey = opened
@@ -227,7 +245,7 @@ class Controller(QObject):
             return
         for note in survey.notes:
             self.noted.emit(note)
-        self.noted.emit(f"Opened {project.folder}")
+        self.noted.emit(gettext("Opened {folder}", folder=project.folder))
 
     def _follow(self) -> None:
         """Keep data and running work in step with the project."""
@@ -244,12 +262,14 @@ class Controller(QObject):
                 self._document.set_survey(project, survey)
 
         self._runner.run(
-            "Placing the lines", lambda progress: load_survey(project, progress=progress), done,
+            gettext("Placing the lines"),
+            lambda progress: load_survey(project, progress=progress),
+            done,
             key="survey",
-        )  # fmt: skip
+        )
 
     def based_on_project(self, task: Task) -> None:
-        """The task's value rests on the project as it is: an edit ends the task."""
+        """End the task when the project is edited: its value depends on the project as it is."""
         assert self._document.project is not None
         self._based = (task, self._document.project)
 
@@ -258,8 +278,8 @@ class Controller(QObject):
     def seed(self, point: PickedPoint, wishes: Wishes) -> None:
         """Find the target under a click and offer it.
 
-        On one line it is sought for the selected target, where there is one, in that target's role
-        and shape.
+        If the search is in one line only and a target is selected, the sighting is for that target,
+        with its role and shape.
         """
         if self._may_seed():
             self._seek(self._scene.to_prior(point), wishes, first_line=point.line)
@@ -299,14 +319,17 @@ class Controller(QObject):
                 progress=progress, **how,
             )  # fmt: skip
 
-        task = self._runner.run(f"Searching for {name} on {line or 'every line'}", work, self.offer)
-        self.based_on_project(task)
+        if line is None:
+            title = gettext("Searching for {target} in all lines", target=name)
+        else:
+            title = gettext("Searching for {target} in {line}", target=name, line=line)
+        self.based_on_project(self._runner.run(title, work, self.offer))
 
     def _may_seed(self) -> bool:
         if self._document.project is None:
             return False
         if self._runner.busy or not self._document.survey_is_current:
-            self.noted.emit("Wait until the running task has ended, then seed again")
+            self.noted.emit(gettext("Wait until the running task has ended, then seed again."))
             return False
         return True
 
@@ -316,16 +339,19 @@ class Controller(QObject):
         if candidate is None or project is None:
             return
         self._drop_candidate()
-        self._document.edit(f"pick of {candidate.name}", project.with_target(candidate))
-        self.noted.emit(
-            f"{candidate.name}: {len(candidate.sightings)} of {len(project.lines)} lines"
+        name, sightings = candidate.name, len(candidate.sightings)
+        self._document.edit(N_("pick of {target}"), project.with_target(candidate), target=name)
+        found = Plural(
+            "{target}: found in {sightings:n} of {count:n} line",
+            "{target}: found in {sightings:n} of {count:n} lines",
         )
+        self.noted.emit(gettext(found, target=name, sightings=sightings, count=len(project.lines)))
         self.accepted.emit(candidate.name)
 
     def reject(self) -> None:
-        """Let the candidate go."""
+        """Discard the candidate."""
         if self.candidate is not None:
-            self.noted.emit(f"{self.candidate.name} rejected")
+            self.noted.emit(gettext("{target}: rejected", target=self.candidate.name))
             self._drop_candidate()
 
     def offer(self, candidate: Target) -> None:
@@ -349,7 +375,8 @@ class Controller(QObject):
         if self._project is None:
             return
         try:
-            self._document.edit(f"rename of {old}", edits.with_name(self._project, old, new))
+            edited = edits.with_name(self._project, old, new)
+            self._document.edit(N_("rename of {target}"), edited, target=old)
         except LispacError as error:
             self.refused.emit(error)
             self._document.changed.emit()
@@ -357,28 +384,30 @@ class Controller(QObject):
     def remove(self, name: str) -> None:
         """Remove a target."""
         if self._project is not None:
-            self._document.edit(f"removal of {name}", self._project.without_target(name))
+            edited = self._project.without_target(name)
+            self._document.edit(N_("removal of {target}"), edited, target=name)
 
     def use_target(self, name: str, used: bool) -> None:
-        """Let a target take part, or not."""
+        """Include or exclude a target."""
         if self._project is not None:
-            what = f"use of {name}" if used else f"leaving out {name}"
+            title = N_("inclusion of {target}") if used else N_("exclusion of {target}")
             edited = edits.with_use_of_target(self._project, name, used)
-            self._document.edit(what, edited, follows=True)
+            self._document.edit(title, edited, follows=True, target=name)
 
     def use_sighting(self, name: str, line: str, used: bool) -> None:
-        """Let a sighting take part, or not."""
+        """Include or exclude a sighting."""
         if self._project is not None:
-            what = f"use of {name} on {line}" if used else f"leaving out {name} on {line}"
+            included = N_("inclusion of {target} in {line}")
+            title = included if used else N_("exclusion of {target} in {line}")
             edited = edits.with_use_of_sighting(self._project, name, line, used)
-            self._document.edit(what, edited, follows=True)
+            self._document.edit(title, edited, follows=True, target=name, line=line)
 
     def use_line(self, line: str, used: bool) -> None:
-        """Let all targets of a line take part, or none."""
+        """Include or exclude all sightings of a line."""
         if self._project is not None:
-            what = f"use of line {line}" if used else f"leaving out line {line}"
+            title = N_("inclusion of line {line}") if used else N_("exclusion of line {line}")
             edited = edits.with_use_of_line(self._project, line, used)
-            self._document.edit(what, edited, follows=True)
+            self._document.edit(title, edited, follows=True, line=line)
 
     def change_settings(self, settings: Settings) -> None:
         """Take over edited settings."""
@@ -389,7 +418,8 @@ class Controller(QObject):
         except LispacError as error:
             self.refused.emit(error)
             return
-        self._document.edit("change of the mounting", self._project.with_settings(settings))
+        edited = self._project.with_settings(settings)
+        self._document.edit(N_("change of the mounting"), edited)
 
     @property
     def _project(self) -> Project | None:

@@ -1,4 +1,4 @@
-"""Designing a site: the workspace's window, its files, and its long work."""
+"""Design of a site: the window of the workspace, its files and its long tasks."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 class Designing(QObject):
-    """Joined to the window's parts; has a worker of its own, so that both can be worked with.
+    """Controls the design window; it has a worker of its own, so that both windows can be used.
 
     Attributes
     ----------

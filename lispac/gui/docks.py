@@ -8,14 +8,19 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
 from lispac.gui.language import say
 from lispac.gui.tabbing import go_into
+from lispac.language import N_, gettext, raw_text
 
 Area = Qt.DockWidgetArea
 Docks = dict[str, QDockWidget]
 
+WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by lines")
+HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
+"""Titles of docks in English: keys of `Docks`, from which the names in a saved layout are made."""
+
 
 def laid_out(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
-    """Docks of the panels, by their titles; those of one side are tabs, the first in front."""
-    # Docks laid out half joined would leave their first tab bars lying in the window.
+    """Docks of the panels by their titles; those of one side are tabs, the first in front."""
+    # Otherwise Qt leaves the first tab bars behind.
     window.layout().setEnabled(False)
     docks: Docks = {}
     last: dict[Area, QDockWidget] = {}
@@ -73,9 +78,9 @@ def raise_panel(panel: QWidget) -> None:
 
 def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
     """Give the panels the room they have at first."""
-    sides = [docks["Workflow"], docks["Results"]]
+    sides = [docks[WORKFLOW], docks[RESULTS]]
     window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
-    below = [docks["Targets by lines"]]
+    below = [docks[SIGHTINGS]]
     window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
 
 
@@ -108,7 +113,11 @@ def hide_floating(docks: Mapping[str, QDockWidget]) -> None:
 
 
 def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
-    dock = QDockWidget(say(title), window)
+    dock = QDockWidget(_translated(title), window)
     dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
     dock.setWidget(panel)
     return dock
+
+
+def _translated(title: str) -> str:
+    return gettext(title) if raw_text(title, {}) != title else say(title)

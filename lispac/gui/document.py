@@ -1,11 +1,14 @@
 """The open project, its data in memory, and the way back: one undo command per edit."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from lispac.language import Template, gettext
 from lispac.messages import Message
 from lispac.project import Project
 from lispac.workflow.survey import Survey
@@ -19,21 +22,32 @@ class _State:
     Attributes
     ----------
     follows : whether its result is computed without being asked for
-    refusal : why there is no such result, in words
+    refusal : why there is no such result
     refused_since : why an estimate was refused that was asked for after the result
     """
 
     project: Project
     follows: bool = False
-    refusal: str = ""
+    refusal: Message | str = ""
     refused_since: Message | str = ""
+
+
+@dataclass(frozen=True)
+class _EditName:
+    """Name of an edit, translated when a window shows it."""
+
+    template: Template
+    params: Mapping[str, Any]
 
 
 class _Edit(QUndoCommand):
     """The state before and after one edit."""
 
-    def __init__(self, text: str, document: "Document", before: _State, after: _State) -> None:
-        super().__init__(text)
+    def __init__(
+        self, name: _EditName, document: "Document", before: _State, after: _State
+    ) -> None:
+        super().__init__(gettext(name.template, **name.params))
+        self.name = name
         self._document, self._before, self._after = document, before, after
 
     def redo(self) -> None:
@@ -88,8 +102,8 @@ class Document(QObject):
         )
 
     @property
-    def refusal(self) -> str:
-        """Why no result follows from the last edit, in words; empty where one does."""
+    def refusal(self) -> Message | str:
+        """Why no result follows from the last edit; empty where one does."""
         return "" if self._state is None else self._state.refusal
 
     @property
@@ -139,16 +153,19 @@ class Document(QObject):
 
     def edit(
         self,
-        text: str,
+        name: Template,
         project: Project,
         *,
         survey: Survey | None = None,
         follows: bool = False,
+        **params: Any,
     ) -> None:
         """Replace the project by an edited one, as one undo step.
 
         Parameters
         ----------
+        name : Template
+            Name of the edit as the undo menu shows it, marked with `N_`; ``params`` fill it.
         survey : Survey, optional
             The data as the edited project places them, where they are at hand already.
         follows : bool
@@ -163,7 +180,7 @@ class Document(QObject):
             after.refused_since = before.refused_since
         if survey is not None:
             self.survey, self._key, self._survey_told = survey, data_key(project), False
-        self.undo_stack.push(_Edit(text, self, before, after))
+        self.undo_stack.push(_Edit(_EditName(name, params), self, before, after))
 
     def amend(self, project: Project) -> None:
         """Fill in what follows from the last edit; it belongs to that edit's undo step."""
@@ -173,7 +190,7 @@ class Document(QObject):
             self.undo_stack.resetClean()  # what was saved lacks it
         self.changed.emit()
 
-    def refuse(self, reason: str) -> None:
+    def refuse(self, reason: Message | str) -> None:
         """Keep why nothing follows from the last edit."""
         assert self._state is not None
         self._state.refusal = reason
@@ -217,7 +234,7 @@ class Document(QObject):
         for k, step in enumerate(steps):
             if stack.cleanIndex() == k:
                 heir.undo_stack.setClean()
-            heir.undo_stack.push(_Edit(step.text(), heir, step._before, step._after))
+            heir.undo_stack.push(_Edit(step.name, heir, step._before, step._after))
         if stack.cleanIndex() == len(steps):
             heir.undo_stack.setClean()
         elif stack.cleanIndex() < 0:

@@ -1,4 +1,4 @@
-"""The boresight: estimated when asked for, and again by itself when a sighting is left out."""
+"""Adjustment of the boresight: on request, and automatically after a sighting is excluded."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -13,6 +13,9 @@ from lispac.gui.document import Document, data_key
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
 from lispac.progress import Progress, part
 from lispac.project import Project, Settings
 from lispac.survey.cloud import Cloud
@@ -20,6 +23,19 @@ from lispac.workflow.survey import Survey
 
 REST_MS = 250
 """Several clicks in a row make one adjustment."""
+
+ESTIMATED = Plural(
+    "Estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Estimated from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+ESTIMATED_AGAIN = Plural(
+    "Estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+ESTIMATED_SAME_POINTS = Plural(
+    "Estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,14 +117,14 @@ class Estimating(QObject):
                 return
             self._selection, self._wants_checks = answer.selection, cross_check
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
-            self._document.edit("estimate", answer.estimated, survey=answer.replaced)
+            self._document.edit(N_("estimate"), answer.estimated, survey=answer.replaced)
             # Another survey made the scene let go of what it had.
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._scene.show("estimated")
-            self._note(answer.estimated, "Estimated")
+            self._note(answer.estimated, ESTIMATED)
             self.estimated.emit()
 
-        task = self._runner.run("Estimating the boresight", work, done, key="estimate")
+        task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
         self._asked = task
         self._controller.based_on_project(task)
 
@@ -145,10 +161,10 @@ class Estimating(QObject):
             if self._runner.active:
                 return
             if task.cancel.is_set() and not task.gave_way:
-                self._document.refuse("The adjustment was cancelled. Press Estimate for it.")
+                self._document.refuse(error("window.adjustment_cancelled"))
                 return
             if task.error is not None and not isinstance(task.error, Cancelled):
-                self._document.refuse("The adjustment failed. Press Estimate to try again.")
+                self._document.refuse(error("window.adjustment_failed"))
                 return
         self._rest.start()
 
@@ -161,29 +177,29 @@ class Estimating(QObject):
         kept = self._selection
         selection = kept if kept is not None and kept.serves(project, survey) else None
 
-        def work(progress: Progress) -> _Answer | str:
+        def work(progress: Progress) -> _Answer | Message | str:
             try:
                 return _adjusted(project, survey, selection, False, progress, advise=False)
-            except LispacError as error:
-                return str(error)
+            except LispacError as failure:
+                return failure.reason
 
-        def done(answer: _Answer | str) -> None:
+        def done(answer: _Answer | Message | str) -> None:
             if self._document.project is not project:
                 return
-            if isinstance(answer, str):
+            if not isinstance(answer, _Answer):
                 self._document.refuse(answer)
-                self._controller.noted.emit(answer)
+                text = message_text(answer) if isinstance(answer, Message) else answer
+                self._controller.noted.emit(text)
                 return
             self._selection = answer.selection
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._unchecked = answer.estimated
             self._document.amend(answer.estimated)
-            kept = " with the points as they were selected before" if selection else ""
-            self._note(answer.estimated, f"Estimated again{kept}")
+            self._note(answer.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
 
         # A quick one gives way to what the user asks for; a slow one can be cancelled.
         task = self._runner.run(
-            "Estimating again", work, done, quiet=selection is not None, key="follow"
+            gettext("Estimating again"), work, done, quiet=selection is not None, key="follow"
         )
         self._following = (task, project)
         self._asked = task
@@ -218,18 +234,20 @@ class Estimating(QObject):
                 self._scene.keep_placed(project.result, checked.result)
                 self._document.amend(checked)
 
-        title = "Cross-checking" if wanted else "Looking for a further line"
+        title = gettext("Cross-checking") if wanted else gettext("Searching for a further line")
         self._checking = self._runner.run(title, work, done, quiet=True, key="follow")
 
-    def _note(self, project: Project, word: str) -> None:
+    def _note(self, project: Project, text: Plural) -> None:
         result = project.result
         assert result is not None
-        before, after = (
-            units.figure(1000 * each, "mm", ".1f") for each in (result.rms_before, result.rms_after)
-        )
         self._controller.noted.emit(
-            f"{word} on {result.points:,} points in {result.elapsed:.2f} s; "
-            f"RMS {before} → {after} {units.unit('mm').sign}"
+            gettext(
+                text,
+                count=result.points,
+                elapsed=result.elapsed,
+                before=units.quantity(1000 * result.rms_before, "mm", 1),
+                after=units.quantity(1000 * result.rms_after, "mm", 1),
+            )
         )
 
 
@@ -258,6 +276,6 @@ def _adjusted(
     elapsed = perf_counter() - started
     # The checks hold the very result they stand beside.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
-    progress(0.95, "Placing the lines with the estimated boresight")
+    progress(0.95, gettext("Placing the lines with the estimated boresight"))
     clouds = survey.shown(estimated, "estimated", progress=part(progress, 0.95, 1.0))
     return _Answer(estimated, selection, clouds, None)

@@ -1,4 +1,4 @@
-"""What a click would take, shown while the mouse rests: the finder on the points on the screen."""
+"""Preview of the plane that a click would select, found in the points on the screen."""
 
 import time
 from collections.abc import Callable
@@ -15,6 +15,7 @@ from lispac.gui.document import Document
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import CANDIDATE_COLOUR
 from lispac.gui.viewport.base import Array, PickedPoint, Sketch, Viewport
+from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.targets.finder import FinderSettings, PlanePatch, find_plane
 
@@ -26,8 +27,8 @@ FEWEST = 30
 
 
 @dataclass(frozen=True)
-class Wanted:
-    """What a click would be asked for: threshold and radius in metres, and whether a plane."""
+class PreviewSettings:
+    """Settings of the next seed: threshold and radius in metres, and whether for a plane."""
 
     threshold: float | None
     radius: float | None
@@ -35,11 +36,11 @@ class Wanted:
 
 
 class Hovering(QObject):
-    """Off until it is switched on; the points drawn stand for all, so sizes are approximate.
+    """Outlines the plane under the mouse; sizes are approximate, from the points drawn.
 
     Attributes
     ----------
-    seconds : what the last preview took
+    seconds : duration of the last preview
     """
 
     def __init__(
@@ -48,11 +49,11 @@ class Hovering(QObject):
         runner: TaskRunner,
         viewport: Viewport,
         actions: Actions,
-        wanted: Callable[[], Wanted],
+        settings: Callable[[], PreviewSettings],
         controller: Controller,
     ) -> None:
         super().__init__(actions)
-        self._document, self._runner, self._wanted = document, runner, wanted
+        self._document, self._runner, self._settings = document, runner, settings
         self._viewport, self._action = viewport, actions["hover"]
         self._controller = controller
         self._warm = self._on = False
@@ -66,8 +67,8 @@ class Hovering(QObject):
         on = self._action.isChecked()
         if on and not self._warm:
             self._runner.run(
-                "Preparing the preview", _warm_up, self._warmed, quiet=True, key="hover"
-            )  # fmt: skip
+                gettext("Preparing the preview"), _warm_up, self._warmed, quiet=True, key="hover"
+            )
         elif on != self._on:
             self._on = on
             self._viewport.set_hovering(on)
@@ -84,17 +85,17 @@ class Hovering(QObject):
         self.seconds = time.perf_counter() - start
 
     def _preview(self, point: PickedPoint) -> Sketch | None:
-        project, wanted = self._document.project, self._wanted()
-        if project is None or not wanted.plane or self._is_found(point):
+        project, seed_settings = self._document.project, self._settings()
+        if project is None or not seed_settings.plane or self._is_found(point):
             return None
         usual = FinderSettings()
-        radius = wanted.radius or usual.radius
+        radius = seed_settings.radius or usual.radius
         seed = np.array(point.position)
         near = self._viewport.drawn_near(point.line, seed, radius)
         # In one piece: the finder would be compiled anew for every other one, in this thread
         near = np.ascontiguousarray(near[:: -(-len(near) // MOST) or 1])
         settings = FinderSettings(
-            threshold=wanted.threshold or project.settings.threshold, radius=radius,
+            threshold=seed_settings.threshold or project.settings.threshold, radius=radius,
             min_points=min(FEWEST, usual.min_points),
         )  # fmt: skip
         try:
@@ -128,7 +129,10 @@ def sketch_of(points: Array, patch: PlanePatch, line: str) -> Sketch:
     corners = patch.centre + flat[ConvexHull(flat).vertices] @ axes
     places = tuple((float(x), float(y), float(z)) for x, y, z in corners)
     count = len(places)
-    words = f"About {patch.extent[0]:.1f} × {patch.extent[1]:.1f} m on {line}"
+    width, height = patch.extent[:2]
+    text = gettext(
+        "About {width:m.1} × {height:m.1} m in {line}", width=width, height=height, line=line
+    )
     top = places[int(np.argmax(corners[:, 2]))]
     edges = tuple((k, (k + 1) % count) for k in range(count))
-    return Sketch(places, edges, CANDIDATE_COLOUR, label=words, at=top)
+    return Sketch(places, edges, CANDIDATE_COLOUR, label=text, at=top)

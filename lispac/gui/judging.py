@@ -1,4 +1,4 @@
-"""How good the sightings are: judged by the worker whenever nobody waits for anything else."""
+"""Quality of the sightings, computed in the background while no other task runs."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.gui.document import Document
 from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
 from lispac.targets.quality import SightingQuality
@@ -86,7 +87,8 @@ class Judging(QObject):
             self._known = judged
             self._tell()
 
-        task = self._runner.run("Judging the sightings", work, done, quiet=True, key="quality")
+        title = gettext("Rating the sightings")
+        task = self._runner.run(title, work, done, quiet=True, key="quality")
         self._asked = (task, project)
 
     def _judges_candidate(self, candidate: Target, project: Project, survey: Survey) -> bool:
@@ -105,7 +107,7 @@ class Judging(QObject):
             self._known = {**judged, **self._known}  # it holds when it is accepted
             self.candidate_judged.emit({line: each.quality for (_, line), each in judged.items()})
 
-        title = f"Judging {candidate.name}"
+        title = gettext("Rating {target}", target=candidate.name)
         task = self._runner.run(title, work, done, quiet=True, key="candidate")
         self._asked_candidate = task, candidate
         return True

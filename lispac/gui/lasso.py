@@ -1,4 +1,4 @@
-"""Points of the selected target added or taken away inside an outline drawn over the view."""
+"""Lasso: adds points inside a drawn outline to the selected target, or removes them."""
 
 from collections.abc import Callable
 
@@ -13,20 +13,33 @@ from lispac.gui.document import Document
 from lispac.gui.pointing import Pointing
 from lispac.gui.scene import Scene
 from lispac.gui.viewport.base import Array, Viewport
+from lispac.language import N_, Plural, gettext
 from lispac.workflow.editing import with_points, without_points
 
-HINTS = {
-    "lasso_add": "Draw around points to add to {}",
-    "lasso_remove": "Draw around points to take from {}",
+TOOLS = ("lasso_add", "lasso_remove")
+NOTHING_SELECTED = N_("Select a target first, then draw around its points.")
+NAMES = {
+    "lasso_add": Plural(
+        "addition of {count:n} point to {sighting}", "addition of {count:n} points to {sighting}"
+    ),
+    "lasso_remove": Plural(
+        "removal of {count:n} point from {sighting}", "removal of {count:n} points from {sighting}"
+    ),
 }
-NOTHING_SELECTED = "Select a target first; then draw around points of it"
+"""Names of the edits."""
+DONE = {
+    "lasso_add": Plural(
+        "{count:n} point was added to {sighting}", "{count:n} points were added to {sighting}"
+    ),
+    "lasso_remove": Plural(
+        "{count:n} point was removed from {sighting}",
+        "{count:n} points were removed from {sighting}",
+    ),
+}
 
 
 class Lasso(QObject):
-    """Each outline is one undo step; Esc ends.
-
-    What is selected is edited: one sighting, or a target on all lines that are shown.
-    """
+    """Edits the selected sighting, or a target in all lines shown; one undo step per outline."""
 
     def __init__(
         self,
@@ -43,7 +56,7 @@ class Lasso(QObject):
         self._document, self._scene, self._viewport = document, scene, viewport
         self._pointing, self._clipping = pointing, clipping
         self._actions, self._note, self._refuse = actions, note, refuse
-        for tool in HINTS:
+        for tool in TOOLS:
             actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
         scene.selection_changed.connect(self._hint)
 
@@ -52,25 +65,29 @@ class Lasso(QObject):
             self._pointing.end()
         elif not self._scene.selected_points:
             self._actions[tool].setChecked(False)
-            self._note(NOTHING_SELECTED)
+            self._note(gettext(NOTHING_SELECTED))
         else:
             self._pointing.begin(tool, "", outlined=self._take, ended=lambda: None)
             self._hint()
 
     def _hint(self) -> None:
         tool, selected = self._pointing.tool, self._scene.selected
-        if tool in HINTS and selected is not None:
-            what = " on ".join(part for part in selected if part)
-            self._pointing.hint(HINTS[tool].format(what), "outline")
+        if tool not in TOOLS or selected is None:
+            return
+        if tool == "lasso_add":
+            template = N_("Draw around points to add them to {sighting}")
+        else:
+            template = N_("Draw around points to remove them from {sighting}")
+        self._pointing.hint(gettext(template, sighting=_sighting(*selected)), "outline")
 
     def _take(self, corners: Array) -> None:
         project, selected = self._document.project, self._scene.selected
         if project is None or selected is None or not self._scene.selected_points:
-            self._note(NOTHING_SELECTED)
+            self._note(gettext(NOTHING_SELECTED))
             return
         name, line = selected
-        adding = self._pointing.tool == "lasso_add"
-        edit = with_points if adding else without_points
+        tool = self._pointing.tool
+        edit = with_points if tool == "lasso_add" else without_points
         shown = {
             each: cloud
             for each, cloud in self._scene.clouds.items()
@@ -83,14 +100,15 @@ class Lasso(QObject):
         except LispacError as error:
             self._refuse(error)
             return
-        where = f" on {line}" if line else ""
+        sighting = _sighting(name, line)
         if not changed:
-            self._note(f"{name}{where}: no points of it there")
+            template = N_("{sighting}: no points inside the outline")
+            self._note(gettext(template, sighting=sighting))
             return
-        done = "added to" if adding else "taken from"
-        what = f"{'adding' if adding else 'removal of'} {changed:,} points, {name}{where}"
-        self._document.edit(what, project.with_target(target), follows=True)
-        self._note(f"{changed:,} points {done} {name}{where}")
+        self._document.edit(
+            NAMES[tool], project.with_target(target), follows=True, count=changed, sighting=sighting
+        )
+        self._note(gettext(DONE[tool], count=changed, sighting=sighting))
 
     def _inside(self, points: Array, corners: Array) -> NDArray[np.bool_]:
         from matplotlib.path import Path
@@ -104,3 +122,7 @@ class Lasso(QObject):
             boxed[self._clipping.box.inside(points)] = True
             inside &= boxed
         return inside
+
+
+def _sighting(target: str, line: str) -> str:
+    return f"{target} · {line}" if line else target

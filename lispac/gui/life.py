@@ -1,4 +1,4 @@
-"""The life of a project in the window: what is asked before it is opened, computed or left."""
+"""Opening, estimating, exporting and leaving a project, with the questions to the user."""
 
 import itertools
 import os
@@ -14,12 +14,12 @@ from lispac.gui.controller import Controller
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.estimating import Estimating
-from lispac.gui.language import say
 from lispac.gui.places import kept
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.installed import home_folder
 from lispac.io.seed_file import looks_like_a_list
+from lispac.language import gettext
 from lispac.project import Project, Settings
 from lispac.workflow.export_request import What
 from lispac.workflow.intake import project_among
@@ -27,7 +27,7 @@ from lispac.workflow.moved import missing, with_files_in
 
 
 class ProjectLife(QObject):
-    """Asks for files and folders, and for leave where there is something to lose."""
+    """Asks for files and folders, and before changes would be lost."""
 
     list_dropped = Signal(object)
     """Path of a list of target coordinates."""
@@ -94,7 +94,7 @@ class ProjectLife(QObject):
         """
         if self._controller.busy:
             self._controller.noted.emit(
-                "Wait until the running task has ended, then drop the files again"
+                gettext("Wait until the running task has ended, then drop the files again.")
             )
             return
         project = project_among(paths)
@@ -125,7 +125,9 @@ class ProjectLife(QObject):
         while True:
             folder = self._dialogs.files_now(project.name, missing(project), project.folder)
             if folder is None:
-                self._controller.noted.emit(f"{project.name} was not opened: its files are missing")
+                self._controller.noted.emit(
+                    gettext("{project} was not opened: files are missing", project=project.name)
+                )
                 return
             try:
                 found = with_files_in(project, folder)
@@ -155,10 +157,10 @@ class ProjectLife(QObject):
             action = menu.addAction(str(folder))
             action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
         if menu.isEmpty():
-            menu.addAction(say("No project yet")).setEnabled(False)
+            menu.addAction(gettext("No project yet")).setEnabled(False)
         else:
             menu.addSeparator()
-            menu.addAction(say("Clear recent projects")).triggered.connect(
+            menu.addAction(gettext("Clear recent projects")).triggered.connect(
                 self._settings.forget_recent
             )
 

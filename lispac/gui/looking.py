@@ -1,4 +1,4 @@
-"""How the view is looked at: standard views, size and colours of the points."""
+"""Actions of the View menu: standard views, size and colours of the points."""
 
 import numpy as np
 from PySide6.QtCore import QObject
@@ -10,13 +10,14 @@ from lispac.gui.scene import Scene
 from lispac.gui.settings import POINT_SIZES, AppSettings
 from lispac.gui.viewing_actions import COLOURED, VIEWS
 from lispac.gui.viewport.base import Array, Viewport
+from lispac.language import N_, gettext
 from lispac.targets.section import common_normal
 
-NOTHING_SELECTED = "Select a target first: click it in the list of targets or in the table"
+NOTHING_SELECTED = N_("Select a target first, in the list of targets or in the table.")
 
 
 class Looking(QObject):
-    """Joins the actions of the View menu to the viewport."""
+    """Connects the actions of the View menu with the viewport."""
 
     def __init__(
         self,
@@ -62,7 +63,7 @@ class Looking(QObject):
     def _selected(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())
         if not groups:
-            self._controller.noted.emit(NOTHING_SELECTED)
+            self._controller.noted.emit(gettext(NOTHING_SELECTED))
         return groups
 
     def _colour_by(self, colouring: Colouring) -> bool:

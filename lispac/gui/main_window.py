@@ -60,6 +60,7 @@ from lispac.gui.tools import Tools
 from lispac.gui.tour import Tour
 from lispac.gui.viewing_actions import STEP_ACTIONS, THEMED
 from lispac.gui.viewport.base import PickedPoint, Viewport
+from lispac.language import gettext
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
@@ -181,15 +182,15 @@ class MainWindow(QMainWindow):
         return docks.laid_out(
             self,
             {
-                "Workflow": (self.workflow, left),
-                "Results": (self.results, right),
+                docks.WORKFLOW: (self.workflow, left),
+                docks.RESULTS: (self.results, right),
                 CONVENTION: (self.convention, right),
-                "Targets by lines": (self.table, below),
+                docks.SIGHTINGS: (self.table, below),
                 DIAGNOSTICS: (self.diagnostics, below),
-                "Histograms": (self.histograms, below),
+                docks.HISTOGRAMS: (self.histograms, below),
                 **self.tools.panels,
                 WARNINGS: (self.warnings, below),
-                "Log": (self.log, below),
+                docks.LOG: (self.log, below),
             },
         )
 
@@ -278,17 +279,20 @@ class MainWindow(QMainWindow):
         self.document.changed.connect(self.task_bar.clearMessage)  # it was said of what was
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
-        self.runner.stopped.connect(lambda title: self._note(f"{title}: cancelled"))
+        self.runner.stopped.connect(self._note_cancelled)
         self.runner.too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.noted.connect(self._note)
-        self.controller.candidate_changed.connect(self.docks["Targets by lines"].raise_)
-        self.computing.validated.connect(self.docks["Histograms"].raise_)
+        self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
+        self.computing.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
         self.scene.placing_wanted.connect(lambda: self.computing.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._seeded)
         self.viewport.signals.missed.connect(
-            lambda: self._note("No point under the cursor. Ctrl+click on a target.")
+            lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
         )
+
+    def _note_cancelled(self, task: str) -> None:
+        self._note(gettext("{task}: cancelled", task=say(task)))
 
     def _note(self, text: str) -> None:
         LOG.info(text)
@@ -304,7 +308,7 @@ class MainWindow(QMainWindow):
     def _open_log_file(self) -> None:
         file = self.settings.folder / LOG_NAME
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(file))):
-            self._note(f"No program is set up to open {file}")
+            self._note(gettext("No program is set up to open {file}.", file=file))
 
     def _list_recent(self) -> None:
         self.life.list_recent(self.actions_.recent)
@@ -342,7 +346,7 @@ class MainWindow(QMainWindow):
         """Ask for a window in the language and looks of the settings, once no task runs."""
         for runner in (self.runner, *self.designing.runners):
             if runner.busy:
-                self._note("The window changes when the running task has ended")
+                self._note(gettext("The window changes when the running task has ended."))
                 runner.idle.connect(self.renew, Qt.ConnectionType.SingleShotConnection)
                 return
         self.renewal_asked.emit()

@@ -1,4 +1,4 @@
-"""Help > Manual: built in the background where it has to be, and opened in the browser."""
+"""Help > Manual: built in the background if necessary, and opened in the browser."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, QUrl
 from PySide6.QtGui import QDesktopServices
 
 from lispac.gui.language import language
+from lispac.language import gettext
 from lispac.progress import Progress
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ PANELS = "panels"
 
 
 class Manual(QObject):
-    """Joined to the window's parts."""
+    """Opens pages of the manual in the browser."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -29,18 +30,18 @@ class Manual(QObject):
 
     def open(self, page: str = "index", place: str = "") -> None:
         """Show a page, or a place on it, in the language of the window."""
-        wanted = language()
+        code = language()
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.manual import manual_page
 
-            return manual_page(wanted, page, progress=progress)
+            return manual_page(code, page, progress=progress)
 
-        self._runner.run("Opening the manual", work, lambda file: self._show(file, place))
+        self._runner.run(gettext("Opening the manual"), work, lambda file: self._show(file, place))
 
     def _show(self, file: Path, place: str) -> None:
         url = QUrl.fromLocalFile(str(file))
         if place:
             url.setFragment(place)
         if not QDesktopServices.openUrl(url):
-            self._controller.noted.emit(f"No program is set up to open {file}")
+            self._controller.noted.emit(gettext("No program is set up to open {file}.", file=file))

@@ -11,16 +11,19 @@ from lispac.gui import units
 from lispac.gui.actions import Actions
 from lispac.gui.pointing import Pointing
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.language import N_, gettext, mark_translated
 
 COLOUR: Colour = (0, 90, 200)
 SKETCH = "measure"
 HINTS = {
-    "measure_distance": ("Click the first point", "Click the second point"),
+    "measure_distance": (N_("Click the first point"), N_("Click the second point")),
     "measure_angle": (
-        "Click a point on the first side", "Click the corner", "Click a point on the second side",
+        N_("Click a point on the first side"),
+        N_("Click the vertex"),
+        N_("Click a point on the second side"),
     ),
-}  # fmt: skip
-AGAIN = "Click to measure again"
+}
+AGAIN = N_("Click to measure again")
 
 
 class Measuring(QObject):
@@ -40,67 +43,75 @@ class Measuring(QObject):
             actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
 
     def restart(self) -> None:
-        """Forget the points: the lines lie elsewhere now."""
+        """Clear the points, because the lines have moved."""
         self._points = []
         self._viewport.show_sketch(SKETCH, None)
         if self._pointing.tool in HINTS:
-            self._pointing.hint(HINTS[self._pointing.tool][0])
+            self._pointing.hint(gettext(HINTS[self._pointing.tool][0]))
 
     def _switch(self, tool: str, on: bool) -> None:
         if on:
-            self._pointing.begin(tool, HINTS[tool][0], pointed=self._take, ended=self.restart)
+            hint = gettext(HINTS[tool][0])
+            self._pointing.begin(tool, hint, pointed=self._take, ended=self.restart)
         else:
             self._pointing.end()
 
     def _take(self, point: PickedPoint) -> None:
         tool = self._pointing.tool
-        wanted = len(HINTS[tool])
-        if len(self._points) == wanted:
+        needed = len(HINTS[tool])
+        if len(self._points) == needed:
             self._points = []
         self._points.append(np.array(point.position))
-        words = metric = ""
-        if len(self._points) == wanted:
+        text = metric = ""
+        if len(self._points) == needed:
             try:
-                tell = angle_words if wanted == 3 else distance_words
-                words = tell(*self._points)
+                measure = angle_text if needed == 3 else distance_text
+                text = measure(*self._points)
                 with units.standard():
-                    metric = tell(*self._points)
+                    metric = measure(*self._points)
             except InputError as error:
                 self._note(str(error))
                 self.restart()
                 return
-            self._note(words.replace("\n", ", "))
+            one_line = text.replace("\n", ", ")
+            mark_translated(one_line)
+            self._note(one_line)
         hints = (*HINTS[tool], AGAIN)
-        self._pointing.hint(hints[len(self._points)])
-        self._viewport.show_sketch(SKETCH, _sketch(self._points, words, metric))
+        self._pointing.hint(gettext(hints[len(self._points)]))
+        self._viewport.show_sketch(SKETCH, _sketch(self._points, text, metric))
 
 
-def distance_words(first: Array, second: Array) -> str:
-    """A distance with its parts, a line each."""
+def distance_text(first: Array, second: Array) -> str:
+    """A distance and its components, one on each line."""
     found = measuring.distance(first, second)
-    slope, level = (units.figure(each, "m", ".3f") for each in (found.slope, found.horizontal))
-    up = units.figure(found.vertical, "m", "+.3f").replace("-", "\N{MINUS SIGN}")
-    sign = units.unit("m").sign
-    return (
-        f"Slope distance {slope} {sign}\nHorizontal {level} {sign}\n"
-        f"Vertical {up} {sign}\nAzimuth {np.degrees(found.azimuth):.2f}°"
+    vertical = units.quantity(found.vertical, "m", 3, sign=True).replace("-", "\N{MINUS SIGN}")
+    return gettext(
+        "Slope distance {slope}\nHorizontal {horizontal}\nVertical {vertical}\n"
+        "Azimuth {azimuth:deg.2}°",
+        slope=units.quantity(found.slope, "m", 3),
+        horizontal=units.quantity(found.horizontal, "m", 3),
+        vertical=vertical,
+        azimuth=found.azimuth,
     )
 
 
-def angle_words(first: Array, corner: Array, second: Array) -> str:
-    """An angle and the lengths of its sides, a line each."""
-    turned = np.degrees(measuring.angle(first, corner, second))
-    sides = [measuring.distance(corner, end).slope for end in (first, second)]
-    a, b = (units.figure(each, "m", ".3f") for each in sides)
-    sign = units.unit("m").sign
-    return f"Angle {turned:.2f}°\nSides {a} {sign} and {b} {sign}"
+def angle_text(first: Array, vertex: Array, second: Array) -> str:
+    """An angle and the lengths of its sides, one on each line."""
+    sides = [measuring.distance(vertex, end).slope for end in (first, second)]
+    one, other = (units.quantity(each, "m", 3) for each in sides)
+    return gettext(
+        "Angle {angle:deg.2}°\nSides {first} and {second}",
+        angle=measuring.angle(first, vertex, second),
+        first=one,
+        second=other,
+    )
 
 
-def _sketch(points: list[Array], words: str, metric: str) -> Sketch:
+def _sketch(points: list[Array], text: str, metric: str) -> Sketch:
     places = tuple((float(p[0]), float(p[1]), float(p[2])) for p in points)
     edges = tuple((k, k + 1) for k in range(len(places) - 1))
     at = None
-    if words:
+    if text:
         middle = points[1] if len(points) == 3 else 0.5 * (points[0] + points[1])
         at = (float(middle[0]), float(middle[1]), float(middle[2]))
-    return Sketch(places, edges, COLOUR, dots=True, label=words, at=at, metric=metric)
+    return Sketch(places, edges, COLOUR, dots=True, label=text, at=at, metric=metric)

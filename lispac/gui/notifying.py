@@ -1,4 +1,4 @@
-"""Says that long work has ended, to one who has gone to another window meanwhile."""
+"""Desktop notifications that a long task has ended, while another window is in use."""
 
 import time
 from collections.abc import Callable
@@ -9,18 +9,19 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QSystemTrayIcon
 from lispac.gui import theme
 from lispac.gui.language import say
 from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import N_, gettext
 from lispac.survey.store.pace import spoken
 
 LONG = 10.0
-"""Seconds after which nobody sits and waits."""
+"""Seconds; shorter tasks are not notified."""
 
 
 class Notifying(QObject):
-    """Follows a runner.
+    """Notifies the ends of the tasks of a runner.
 
     Parameters
     ----------
-    tell : shows a sentence outside the window; the desktop's notification where it has one
+    tell : shows a text outside the window; by default as a notification of the desktop
     """
 
     def __init__(
@@ -42,14 +43,17 @@ class Notifying(QObject):
             return
         took = time.monotonic() - ended.started
         if took >= LONG and not self._window.isActiveWindow():
-            how = "failed" if ended.error is not None else "done"
-            self._tell(f"{ended.title}: {how} after {spoken(took)}")
+            if ended.error is None:
+                template = N_("{task}: completed after {time}")
+            else:
+                template = N_("{task}: failed after {time}")
+            self._tell(gettext(template, task=say(ended.title), time=spoken(took)))
 
-    def _notify(self, words: str) -> None:
+    def _notify(self, text: str) -> None:
         QApplication.alert(self._window)  # the window's entry in the task bar asks to be looked at
         if QSystemTrayIcon.isSystemTrayAvailable() and QSystemTrayIcon.supportsMessages():
             if self._tray is None:
                 self._tray = QSystemTrayIcon(theme.icon("ferry"), self)
                 self._tray.messageClicked.connect(self._window.activateWindow)
             self._tray.show()
-            self._tray.showMessage("LISPAC", say(words))
+            self._tray.showMessage("LISPAC", text)

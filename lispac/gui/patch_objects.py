@@ -1,4 +1,4 @@
-"""Objects of the patch test: found, or laid about a click, the selected target or the clip box."""
+"""Objects of the patch test: detected, or from a click, the selected target or the clip box."""
 
 from collections.abc import Callable
 from itertools import count
@@ -11,6 +11,7 @@ from lispac.errors import LispacError
 from lispac.gui.panels.patch_test import PatchTestPanel
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.language import N_, gettext
 from lispac.patchtest.boxes import SMALLEST, Box, checked
 from lispac.progress import Progress
 from lispac.project import Project
@@ -20,13 +21,13 @@ from lispac.workflow.survey import Survey
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-HINT = "Click an object that two lines see: a box is laid about it"
+HINT = N_("Click an object that is visible in two lines, to place a box around it")
 ABOUT_POINT = (2.0, 2.0, 3.0)
 """Sides of the box about a clicked point, metres."""
 ABOUT_TARGET = 0.5
 """Metres that the box about a target is larger on every side."""
 BY_HAND = "H"
-"""What names of boxes laid by hand begin with; those that are found begin with another letter."""
+"""First letter of the names of boxes placed by hand; detected ones have another."""
 
 
 class PatchObjects(QObject):
@@ -59,9 +60,10 @@ class PatchObjects(QObject):
         if project is None or survey is None:
             return
         task = self._runner.run(
-            "Looking for objects", lambda progress: propose(project, survey, progress=progress),
+            gettext("Detecting objects"),
+            lambda progress: propose(project, survey, progress=progress),
             self._take_proposed,
-        )  # fmt: skip
+        )
         self._controller.based_on_project(task)
 
     def _take_proposed(self, laid: Laid) -> None:
@@ -77,7 +79,7 @@ class PatchObjects(QObject):
         if not on:
             pointing.end()
             return
-        pointing.begin("patch_point", HINT, pointed=self._add_point, ended=lambda: None)
+        pointing.begin("patch_point", gettext(HINT), pointed=self._add_point, ended=lambda: None)
 
     def _add_point(self, point: PickedPoint) -> None:
         self._window.tools.pointing.end()
@@ -86,7 +88,7 @@ class PatchObjects(QObject):
     def _add_target(self) -> None:
         groups = self._scene.selected_points
         if not groups:
-            self._controller.noted.emit("Select a target to lay a box about it")
+            self._controller.noted.emit(gettext("Select a target to place a box around it."))
             return
         points = np.concatenate(list(groups.values()))
         ahead = points.mean(axis=0) - self._vessel()
@@ -95,7 +97,9 @@ class PatchObjects(QObject):
     def _add_clip_box(self) -> None:
         box = self._window.tools.clipping.box
         if box is None:
-            self._controller.noted.emit("Switch the clip box on (X) and lay it about an object")
+            self._controller.noted.emit(
+                gettext("Switch on the clip box (X) and place it around an object.")
+            )
             return
         self._add(_own(box))
 
@@ -121,7 +125,10 @@ class PatchObjects(QObject):
             except LispacError as error:
                 return str(error)
             if not found.sample.seen:
-                return "No two lines have points in the box; lay it about what two lines see."
+                return gettext(
+                    "No two lines have points in the box. Place it around an object that is "
+                    "visible in two lines."
+                )
             return found
 
         def done(found: Laid | str) -> None:
@@ -130,7 +137,7 @@ class PatchObjects(QObject):
                 return
             self.laid.emit(found if before is None else before.joined(found), name)
 
-        task = self._runner.run("Laying a box", work, done)
+        task = self._runner.run(gettext("Placing a box"), work, done)
         self._controller.based_on_project(task)
 
     def _ready(self) -> tuple[Project | None, Survey | None]:

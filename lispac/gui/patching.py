@@ -1,4 +1,4 @@
-"""The patch test in the window: objects laid, angles turned, pictures that follow."""
+"""Patch test in the window: objects, angles, and the pictures that follow them."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -9,17 +9,18 @@ from PySide6.QtCore import QObject, QTimer
 from lispac.errors import LispacError
 from lispac.gui import theme, units
 from lispac.gui.language import say
-from lispac.gui.panels.patch_angles import NEAR, WORDS
+from lispac.gui.panels.patch_angles import NEAR
 from lispac.gui.panels.patch_test import EMPTY, NO_DATA, PatchTestPanel
 from lispac.gui.patch_objects import PatchObjects
 from lispac.gui.tasks import Task
 from lispac.gui.viewport.base import Array, Colour, Sketch
 from lispac.gui.viewport.clipping import EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
+from lispac.language import N_, gettext
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject
 from lispac.patchtest.mismatch import Mismatch, lowest
-from lispac.patchtest.optimise import ANGLES, Minimum
+from lispac.patchtest.optimise import Minimum
 from lispac.patchtest.pairs import LinePair
 from lispac.patchtest.sample import Sample
 from lispac.progress import Progress
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
 SKETCH = "patch"
+ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
 COLOUR: Colour = (0, 150, 90)
 DENSE = 3_000
 """Points of a line in the picture."""
@@ -151,7 +153,7 @@ class Patching(QObject):
                 self._dense = dense
                 self._follow()
 
-        title = f"Taking the points of {each.name}"
+        title = gettext("Extracting the points of {name}", name=each.name)
         self._taking = self._runner.run(title, work, done, quiet=True, key="patching")
 
     def _when_idle(self) -> None:
@@ -228,13 +230,18 @@ class Patching(QObject):
         def done(curve: tuple[Array, Array]) -> None:
             self._stale = False
             self._curve_at, self._curve_angle = boresight, angle
-            of = "all ticked objects" if whole else each.name
-            title = say(f"Mismatch over the {ANGLES[angle]}: {of}")
+            name = gettext(ANGLE_NAMES[angle])
+            if whole:
+                title = gettext("Mismatch as a function of {angle}: ticked objects", angle=name)
+            else:
+                title = gettext(
+                    "Mismatch as a function of {angle}: {object}", angle=name, object=each.name
+                )
             self.panel.curve.show_curve(title, *curve)
             if not self._curve_serves(self.panel.angles.boresight):
                 self._rest.start()
 
-        self._runner.run("Working out the curve", work, done, quiet=True, key="patch_curve")
+        self._runner.run(gettext("Computing the curve"), work, done, quiet=True, key="patch_curve")
 
     # -- searching ---------------------------------------------------------------------------
 
@@ -248,14 +255,18 @@ class Patching(QObject):
         def done(found: Minimum) -> None:
             self._angle = angle
             self.panel.angles.start_at(found.boresight, NEAR)
-            value = units.amount(float(np.degrees(found.boresight[angle])), "°", "+.4f")
+            degrees = float(np.degrees(found.boresight[angle]))
             self.panel.said.setText(
-                say(f"{WORDS[angle]} alone: the mismatch is smallest at {value}.")
+                gettext(
+                    "Smallest mismatch for {angle} alone: {value}",
+                    angle=gettext(ANGLE_NAMES[angle]),
+                    value=units.quantity(degrees, "°", 4, sign=True),
+                )
             )
             self._follow()
 
         self._runner.run(
-            f"Turning the {ANGLES[angle]}",
+            gettext("Optimising {angle}", angle=gettext(ANGLE_NAMES[angle])),
             lambda progress: find_angle(
                 laid, laid.blocks(names, pairs), start, angle, progress=progress
             ),
@@ -283,7 +294,7 @@ class Patching(QObject):
             self._follow()
             self._enable()
 
-        task = self._runner.run("Patch test", work, done)
+        task = self._runner.run(gettext("Patch test"), work, done)
         self._controller.based_on_project(task)
 
     def keep(self) -> None:
@@ -296,8 +307,10 @@ class Patching(QObject):
         except LispacError as error:
             self._controller.refused.emit(error)
             return
-        self._document.edit("keep the patch test", project.with_opinion(opinion))
-        self._controller.noted.emit("The answer of the patch test is kept in the project")
+        self._document.edit(N_("result of the patch test"), project.with_opinion(opinion))
+        self._controller.noted.emit(
+            gettext("The result of the patch test was added to the project.")
+        )
 
     def _to_prior(self) -> None:
         survey = self._survey

@@ -12,12 +12,14 @@ from lispac.gui.document import Document
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Viewport
+from lispac.language import N_, gettext
 from lispac.project import Project
 
 CAPTIONS: dict[Which, str] = {
-    "prior": "The lines placed with the prior boresight",
-    "estimated": "The lines placed with the estimated boresight",
+    "prior": N_("The lines placed with the prior boresight"),
+    "estimated": N_("The lines placed with the estimated boresight"),
 }
+"""Captions in English: the report translates them into its own language."""
 
 
 class Photographer(QObject):
@@ -76,7 +78,9 @@ class Photographer(QObject):
         self._next(step)
 
     def _next(self, step: Callable[[None], None]) -> None:
-        task = self._runner.run("Taking pictures of the view", lambda _progress: None, step)
+        task = self._runner.run(
+            gettext("Taking pictures of the view"), lambda _progress: None, step
+        )
         self._controller.based_on_project(task)
 
     def _show(self, which: Which) -> None:

@@ -17,10 +17,11 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Viewport
 from lispac.installed import home_folder
 from lispac.io.files import written_whole
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 
-NO_SECTION = "There is no section to take a picture of: select a target and press S"
+NO_SECTION = N_("No section is shown. Select a target and press S.")
 
 
 class Pictures(QObject):
@@ -62,11 +63,11 @@ class Pictures(QObject):
 
     def _copy_view(self) -> None:
         QGuiApplication.clipboard().setImage(self._viewport.picture())
-        self._note("The picture of the view is in the clipboard")
+        self._note(gettext("The view was copied to the clipboard."))
 
     def _save_section(self) -> None:
         if not self._section.shows:
-            self._note(NO_SECTION)
+            self._note(gettext(NO_SECTION))
             return
         start = self._start(f"section-{self._section.through.text()}")
         path = self._dialogs.picture_file(start, ("PNG", "SVG", "PDF"))
@@ -78,7 +79,7 @@ class Pictures(QObject):
 
     def _copy_section(self) -> None:
         if not self._section.shows:
-            self._note(NO_SECTION)
+            self._note(gettext(NO_SECTION))
             return
         printed = self._section.printed()
 
@@ -89,9 +90,9 @@ class Pictures(QObject):
 
         def done(picture: bytes) -> None:
             QGuiApplication.clipboard().setImage(QImage.fromData(picture))
-            self._note("The picture of the section is in the clipboard")
+            self._note(gettext("The section was copied to the clipboard."))
 
-        self._runner.run("Copying the section", work, done)
+        self._runner.run(gettext("Copying the section"), work, done)
 
     def _write(self, path: Path, write: Callable[[Path], None]) -> None:
         """Write in the worker, as it takes a while, to a temporary name first."""
@@ -101,7 +102,10 @@ class Pictures(QObject):
                 write(part)
 
         self._runner.run(
-            "Writing the picture", work, lambda _nothing: self._note(f"Wrote {path}"), lasting=True
+            gettext("Writing the picture"),
+            work,
+            lambda _nothing: self._note(gettext("Wrote {path}", path=path)),
+            lasting=True,
         )
 
     def _start(self, what: str) -> Path:

@@ -1,4 +1,4 @@
-"""One tool at a time has the left button: it is switched on by its action and ended by Esc."""
+"""The tool that has the left mouse button: started by its action and ended by Esc."""
 
 from collections.abc import Callable
 
@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeySequence
 
 from lispac.gui.actions import Actions
 from lispac.gui.viewport.base import MouseMode, PickedPoint, Viewport
+from lispac.language import gettext
 
 
 class Pointing(QObject):
@@ -62,8 +63,8 @@ class Pointing(QObject):
         self.hint(hint, mode)
 
     def hint(self, text: str, mode: MouseMode = "point") -> None:
-        """Say what the next click does."""
-        self._viewport.set_mouse(mode, f"{text}   ·   Esc ends")
+        """Show what the next click does."""
+        self._viewport.set_mouse(mode, gettext("{hint}   ·   Esc: end", hint=text))
 
     def end(self) -> None:
         """Give the mouse back to the view."""

@@ -1,4 +1,4 @@
-"""The report from the window: its details, how it is wanted, and writing it."""
+"""The report from the window: identity of the project, preview and export."""
 
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -14,6 +14,7 @@ from lispac.errors import InputError
 from lispac.gui.photographer import Photographer
 from lispac.gui.places import kept
 from lispac.installed import home_folder
+from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
@@ -30,7 +31,7 @@ PPI = 96.0
 
 
 class Reporting(QObject):
-    """Joined to the window's parts."""
+    """Asks for the details and options of the report, previews it and writes it."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -51,7 +52,7 @@ class Reporting(QObject):
             panel.details_asked.connect(self.ask_details)
 
     def ask_details(self) -> None:
-        """Ask who, when and with what: one undo step."""
+        """Ask for surveyor, dates and equipment, as one undo step."""
         project, survey = self._document.project, self._survey
         if project is None:
             return
@@ -60,7 +61,7 @@ class Reporting(QObject):
         )
         current = self._document.project  # a task may have ended meanwhile
         if answer is not None and current is not None and answer != current.identity:
-            self._document.edit("details for the report", current.with_identity(answer))
+            self._document.edit(N_("details for the report"), current.with_identity(answer))
 
     def ask_template(self) -> None:
         """Ask for a template."""
@@ -102,7 +103,8 @@ class Reporting(QObject):
                 )  # fmt: skip
             return path
 
-        self._runner.run("Writing the report", work, partial(self._written, project), lasting=True)
+        title = gettext("Writing the report")
+        self._runner.run(title, work, partial(self._written, project), lasting=True)
 
     def preview(self) -> None:
         """Show the pages as they will be printed."""
@@ -134,7 +136,10 @@ class Reporting(QObject):
                 )  # fmt: skip
 
         self._runner.run(
-            "Setting the pages", work, lambda preview: self._show(project, preview), shows=True
+            gettext("Laying out the pages"),
+            work,
+            lambda preview: self._show(project, preview),
+            shows=True,
         )
 
     def _show(self, project: Project, preview: "Preview") -> None:
@@ -150,16 +155,16 @@ class Reporting(QObject):
                 self._controller.refused.emit(error)
                 return ""
             self._written(project, path)
-            return f"Wrote {path}"
+            return gettext("Wrote {path}", path=path)
 
         self._dialogs.preview(preview.pages, save)
 
     def _written(self, project: Project, path: Path) -> None:
         self._document.mark_reported(project, path.name)
-        self._controller.noted.emit(f"Wrote {path}")
+        self._controller.noted.emit(gettext("Wrote {path}", path=path))
 
     def _options(self) -> ReportOptions | None:
-        """How the report is wanted; None where that has been refused."""
+        """Options of the report; None if they cannot be used."""
         try:
             return self._panel.options()
         except InputError as error:

@@ -14,11 +14,12 @@ from lispac.geometry.planes import Plane, fit_plane
 from lispac.geometry.spheres import Sphere
 from lispac.gui import units
 from lispac.gui.viewport.base import Array, Shading
+from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
-TITLE = "Distance from the surface (mm)"
+TITLE = N_("Distance from the surface (mm)")
 GREY = (188, 194, 200)
 """Of points that belong to no target."""
 OUTER = 2.0
@@ -37,10 +38,10 @@ def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
     Raises
     ------
     ValueError
-        Where nothing has been adjusted yet, in words.
+        If nothing has been adjusted yet; the text is in the language of the window.
     """
     if project.result is None:
-        raise ValueError("Estimate first; residuals are what is left after the adjustment")
+        raise ValueError(gettext("Estimate first: the residuals are those of the adjustment."))
     clouds = survey.placed(project, "estimated")
     found = {}
     for fit in project.result.targets:
@@ -87,7 +88,7 @@ def residual_reach(
     Raises
     ------
     ValueError
-        Where nothing has been adjusted yet, in words.
+        If nothing has been adjusted yet; the text is in the language of the window.
     """
     return max(_end(residuals(project, survey) | apart(project, clouds)) for clouds in states)
 
@@ -111,7 +112,7 @@ def residual_shading(
     Raises
     ------
     ValueError
-        Where nothing has been adjusted yet, in words.
+        If nothing has been adjusted yet; the text is in the language of the window.
     """
     from matplotlib import colormaps
 
@@ -131,7 +132,7 @@ def residual_shading(
     low, high = _ends(reach)
     with units.standard():
         metric = _ends(reach)
-    return Shading(grey, TITLE, low, high, scale, metric), colours
+    return Shading(grey, gettext(TITLE), low, high, scale, metric), colours
 
 
 def _ends(reach: float) -> tuple[str, str]:

@@ -1,4 +1,4 @@
-"""The other role for the selected target."""
+"""Change of the role of the selected target or validation plane."""
 
 from collections.abc import Callable
 
@@ -8,13 +8,14 @@ from lispac.errors import LispacError
 from lispac.gui.actions import Actions
 from lispac.gui.document import Document
 from lispac.gui.scene import Scene
+from lispac.language import N_, gettext
 from lispac.workflow import edits
 
-NOTHING_SELECTED = "Select a target or validation plane first; then change its role"
+NOTHING_SELECTED = N_("Select a target or validation plane first, then change its role.")
 
 
 class Roles(QObject):
-    """Makes a validation plane of a target, or a target of a validation plane."""
+    """Turns a target into a validation plane, or the reverse."""
 
     def __init__(
         self,
@@ -32,7 +33,7 @@ class Roles(QObject):
     def _change(self) -> None:
         project, selected = self._document.project, self._scene.selected
         if project is None or selected is None or not self._scene.selected_points:
-            self._note(NOTHING_SELECTED)
+            self._note(gettext(NOTHING_SELECTED))
             return
         name = selected[0]
         try:
@@ -40,6 +41,8 @@ class Roles(QObject):
         except LispacError as error:
             self._refuse(error)
             return
-        self._document.edit(f"change of role of {name}", edited)
-        word = "a validation plane" if edited.target(name).role == "validation" else "a target"
-        self._note(f"{name} is {word} now")
+        self._document.edit(N_("change of role of {target}"), edited, target=name)
+        if edited.target(name).role == "validation":
+            self._note(gettext("{target} is now a validation plane.", target=name))
+        else:
+            self._note(gettext("{target} is now a target.", target=name))

@@ -1,8 +1,8 @@
-"""Nothing is lost: unsaved work is kept against a crash, and a project open twice is noticed.
+"""Recovery copies of unsaved changes, and the lock of a project that is open in another window.
 
-After every edit the project is written beside its saved state, by a worker of its own so that it is
-on the disk also while an adjustment runs. Saving it, or letting the changes go, removes it; what is
-found when a project is opened was left by a crash, and is offered.
+After every edit the project is written beside its saved state, in a thread of its own so that it is
+on the disk also while an adjustment runs. Saving or discarding the changes removes the copy; one
+that is found when a project is opened was left by a crash, and is offered for recovery.
 """
 
 from collections.abc import Callable
@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
-from lispac.gui.language import say_moment
+from lispac.gui.language import say_message, say_moment
 from lispac.io.project_file import forget_unsaved, keep_unsaved
+from lispac.language import N_, gettext
+from lispac.messages import Message, error
 from lispac.project import Project
 from lispac.workflow.moved import with_files_of
 from lispac.workflow.projects import Unsaved, require_folder, unsaved_work
@@ -23,13 +25,11 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
 LOCK_NAME = "open.lock"
-ELSEWHERE = (
-    "Unsaved work of this window is not kept against a crash: another window has the project open."
-)
+ELSEWHERE = error("window.unsaved_work_elsewhere")
 
 
 class Safekeeping(QObject):
-    """Joined to the window's parts."""
+    """Writes the recovery copy and holds the lock of the project in a window."""
 
     troubled = Signal()
     """`trouble` is another."""
@@ -43,12 +43,12 @@ class Safekeeping(QObject):
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
         self._wanted: Project | None = None
         self._failed.connect(self._cannot_keep)
-        self._kept.connect(lambda: self._tell("") if self.trouble else None)
+        self._kept.connect(lambda: self._tell(None) if self.trouble is not None else None)
         self._folder: Path | None = None
         self._lock: QLockFile | None = None
         self._keeps = False
-        self.trouble = ""
-        """Why unsaved work is not kept, in words; empty where it is."""
+        self.trouble: Message | None = None
+        """Why no recovery copy is written; None if it is."""
         window.controller.may_save = self._may_save
         window.controller.may_overwrite = lambda project: self._dialogs.overwrite(project.name)
         window.document.opened.connect(self._take)
@@ -66,7 +66,7 @@ class Safekeeping(QObject):
         project = self._document.project
         self.forget()
         self.let_go()
-        self._tell("")
+        self._tell(None)
         if project is None:
             return
         self._folder, self._keeps = project.folder, True
@@ -88,34 +88,36 @@ class Safekeeping(QObject):
         return lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
 
     def _holder(self) -> str:
-        """Where the other window is."""
+        """Computer and process of the other window."""
         process, host, _ = self._lock.getLockInfo()
-        return f"{host}, process {process}" if process else "another program"
+        if not process:
+            return gettext("another program")
+        return gettext("{host}, process {process}", host=host, process=process)
 
     def _offer(self, project: Project) -> None:
-        """Ask about work that a crash left unsaved."""
+        """Ask whether to recover the changes that a crash left unsaved."""
         try:
             found = unsaved_work(project.folder)
-        except LispacError as error:
-            self._note(str(error))
+        except LispacError as failure:
+            self._note(str(failure))
             return
         if found is None:
             forget_unsaved(project.folder)
         elif self._dialogs.recover(project.name, _when(found)):
             again = with_files_of(found.project, project)
-            self._document.edit("recovery of unsaved work", again)
-            self._note("What was not saved is back; save the project to keep it")
+            self._document.edit(N_("recovery of unsaved changes"), again)
+            self._note(gettext("Unsaved changes were recovered. Save the project to keep them."))
         else:
             forget_unsaved(project.folder)
 
     def forget(self) -> None:
-        """Let the unsaved changes of the project go."""
+        """Remove the recovery copy."""
         if self._folder is not None and self._keeps:
             self._wanted = None
             self._write(forget_unsaved, self._folder)
 
     def let_go(self) -> None:
-        """Leave the project to others."""
+        """Release the lock of the project."""
         if self._lock is not None:
             self._lock.unlock()
         self._lock = self._folder = None
@@ -147,37 +149,40 @@ class Safekeeping(QObject):
 
     def _write(self, write: Callable[[Any], None], what: object) -> None:
         def ended(done: Future[None]) -> None:
-            if (error := done.exception()) is not None:
-                self._failed.emit(error)
+            if (failure := done.exception()) is not None:
+                self._failed.emit(failure)
 
         self._writer.submit(write, what).add_done_callback(ended)
 
     def _see(self) -> None:
         """The project on the disk is ours."""
-        self._tell("" if self._keeps else ELSEWHERE)
+        self._tell(None if self._keeps else ELSEWHERE)
 
     def _may_save(self, project: Project) -> bool:
         """Whether the folder of the project is still there."""
         try:
             require_folder(project)
-        except InputError as error:
-            self._dialogs.show_error(error)
+        except InputError as failure:
+            self._dialogs.show_error(failure)
             return False
         return True
 
-    def _cannot_keep(self, error: BaseException) -> None:
-        # The next edit is tried again: a full disk gets room, a drive comes back
-        trouble = f"Unsaved work is not kept against a crash: {error}"
+    def _cannot_keep(self, failure: BaseException) -> None:
+        # The next edit tries again: the disk may have room then, or the drive may be back.
+        reason = failure.reason if isinstance(failure, LispacError) else str(failure)
+        trouble = error("window.unsaved_work_not_kept", reason=reason)
         if trouble != self.trouble:
             self._tell(trouble)
-            self._note(trouble)
+            self._note(say_message(trouble))
 
-    def _tell(self, trouble: str) -> None:
+    def _tell(self, trouble: Message | None) -> None:
         self.trouble = trouble
         self.troubled.emit()
 
 
 def _when(found: Unsaved) -> str:
-    """When it was written down, and whether the project was saved since."""
+    """Time of the recovery copy, and of a later save of the project."""
     kept, saved = say_moment(found.kept), say_moment(found.saved)
-    return f"{kept}; the project was saved later, at {saved}" if found.saved > found.kept else kept
+    if found.saved <= found.kept:
+        return kept
+    return gettext("{time}; the project was saved later, at {saved}", time=kept, saved=saved)

@@ -1,10 +1,11 @@
-"""File > Script of this project: made in the background, shown, and saved where that is wanted."""
+"""File > Script of this project: created in the background, shown, and saved on request."""
 
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
+from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.project import Project
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Scripting(QObject):
-    """Joined to the window's parts."""
+    """Creates the script of the project, shows it and saves it."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -38,7 +39,7 @@ class Scripting(QObject):
             return script_of(project, survey, progress=progress)
 
         task = self._runner.run(
-            "Writing the script of this project",
+            gettext("Writing the script of this project"),
             work,
             lambda made: self._show(project, made),
             shows=True,
@@ -57,9 +58,9 @@ class Scripting(QObject):
             except InputError as error:
                 self._controller.refused.emit(error)
                 return ""
-            said = f"Wrote {path}"
-            self._controller.noted.emit(said)
-            return said
+            text = gettext("Wrote {path}", path=path)
+            self._controller.noted.emit(text)
+            return text
 
         self._dialogs.script(script, save)
 

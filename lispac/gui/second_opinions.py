@@ -1,10 +1,11 @@
-"""Other methods beside the targets: what they said, and asking them."""
+"""Alternative methods for the boresight: their results, and running those without one."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.language import N_, gettext
 from lispac.methods import answers, missing
 from lispac.progress import Progress
 from lispac.project import Project
@@ -18,7 +19,7 @@ Asked = tuple[Project, Mapping[str, str]]
 
 
 class SecondOpinions(QObject):
-    """Joined to the window's parts."""
+    """Shows the results of alternative methods and runs those that have none."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -31,11 +32,11 @@ class SecondOpinions(QObject):
         self._enable()
 
     def compare(self, refused: Mapping[str, str] | None = None) -> None:
-        """Show all answers that there are, and ask the others where that is wanted.
+        """Show the available results, and run the other methods on request.
 
         Parameters
         ----------
-        refused : why a method that was asked has no answer, by its name
+        refused : why a method has no result, by its name
         """
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None or not self._document.survey_is_current:
@@ -51,10 +52,10 @@ class SecondOpinions(QObject):
         def done(asked: Asked) -> None:
             found, refused = asked
             if found is not project:
-                self._document.edit("alternative methods", found)
+                self._document.edit(N_("alternative methods"), found)
             self.compare(refused)
 
-        task = self._runner.run("Asking other methods", work, done, shows=True)
+        task = self._runner.run(gettext("Running alternative methods"), work, done, shows=True)
         self._controller.based_on_project(task)
 
     def _enable(self) -> None:

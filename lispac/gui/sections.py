@@ -1,4 +1,4 @@
-"""Keeps the section in step with what is selected, and cuts between clicked points."""
+"""Section through the selected target, or between two clicked points."""
 
 from collections.abc import Callable, Sequence
 
@@ -16,17 +16,18 @@ from lispac.gui.scene import Scene
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
 from lispac.gui.viewport.clipping import EDGES, Box
+from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.targets.section import Section
 from lispac.workflow.sections import Cut, cut_between, cut_target
 
 SKETCH = "section"
 COLOUR: Colour = (0, 90, 200)
-HINTS = ("Click where the section begins", "Click where it ends")
+HINTS = (N_("Click the start of the section"), N_("Click the end of the section"))
 
 
 class Sections(QObject):
-    """Cuts in the worker; only while the panel is seen."""
+    """Cuts the section in the background, while its panel is visible."""
 
     def __init__(
         self,
@@ -72,12 +73,13 @@ class Sections(QObject):
             return
         self._ends = []
         self._draw(None)
-        self._pointing.begin("section_points", HINTS[0], pointed=self._take, ended=self._give_up)
+        hint = gettext(HINTS[0])
+        self._pointing.begin("section_points", hint, pointed=self._take, ended=self._give_up)
 
     def _take(self, point: PickedPoint) -> None:
         self._ends.append(np.array(point.position))
         if len(self._ends) == 1:
-            self._pointing.hint(HINTS[1])
+            self._pointing.hint(gettext(HINTS[1]))
             self._draw(Sketch((point.position,), (), COLOUR, dots=True))
             return
         self._pointing.end()
@@ -140,17 +142,21 @@ class Sections(QObject):
                 self._show_nothing(cuts)
                 return
             self._cuts = cuts
-            through = "Between two points" if ends is not None else f"Across {name}"
+            if ends is not None:
+                through = gettext("Between two points")
+            else:
+                through = gettext("Across {target}", target=name)
             panel.show_cuts(
                 through, cuts, theme.line_colours(survey.lines), target=ends is None
             )  # fmt: skip
             self._sketch()
 
-        self._runner.run("Cutting the section", work, done, quiet=True, key="section")
+        title = gettext("Cutting the section")
+        self._runner.run(title, work, done, quiet=True, key="section")
 
-    def _show_nothing(self, words: str) -> None:
+    def _show_nothing(self, text: str) -> None:
         self._stale, self._shown = False, None
-        self.panel.show_nothing(words)
+        self.panel.show_nothing(text)
         self._draw(None)
 
     def _sketch(self) -> None:

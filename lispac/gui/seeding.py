@@ -1,4 +1,4 @@
-"""Seeds that are not clicked: typed coordinates, and lists of them."""
+"""Seeds from typed coordinates and from lists of coordinates."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.gui.wishes import Wishes
+from lispac.language import N_, Plural, gettext
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.survey import Survey
@@ -18,7 +19,7 @@ Picked = tuple[Project, tuple["Outcome", ...]]
 
 
 class Seeding(QObject):
-    """Joined to the window's parts."""
+    """Asks for seeds and searches for their targets."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -37,7 +38,7 @@ class Seeding(QObject):
         self._enable()
 
     def type_seed(self) -> None:
-        """Ask for coordinates, and seek the target there."""
+        """Ask for coordinates and search for the target there."""
         project, survey = self._ready()
         if project is None or survey is None:
             return
@@ -53,12 +54,12 @@ class Seeding(QObject):
             self._controller.seek(place, wishes, name="" if added else named)
 
     def list_seeds(self, path: Path | None = None) -> None:
-        """Show what a list of coordinates holds, and seek what is ticked: one undo step.
+        """Show a list of coordinates and search for the ticked targets, as one undo step.
 
         Parameters
         ----------
         path : Path, optional
-            Asked for where it is not given.
+            Asked for if it is not given.
         """
         project, survey = self._ready()
         if project is None or survey is None:
@@ -67,7 +68,7 @@ class Seeding(QObject):
         if path is None:
             return
         wishes = self._targets.wishes
-        seeds = self._dialogs.seed_list(path, project, survey.trajectory, _in_words(wishes))
+        seeds = self._dialogs.seed_list(path, project, survey.trajectory, _search_summary(wishes))
         if not seeds or self._document.project is not project:
             return
 
@@ -80,8 +81,12 @@ class Seeding(QObject):
             edited, outcomes = picked
             self._take_over(path, edited, outcomes)
 
-        what = "1 seed" if len(seeds) == 1 else f"{len(seeds)} seeds"
-        task = self._runner.run(f"Picking {what} of {path.name}", work, done, shows=True)
+        title = Plural(
+            "Searching for the target of {count:n} seed of {file}",
+            "Searching for the targets of {count:n} seeds of {file}",
+        )
+        text = gettext(title, count=len(seeds), file=path.name)
+        task = self._runner.run(text, work, done, shows=True)
         self._controller.based_on_project(task)
 
     def _take_over(self, path: Path, edited: Project, outcomes: "tuple[Outcome, ...]") -> None:
@@ -95,9 +100,13 @@ class Seeding(QObject):
             for words in thinned_words(outcome.target) if outcome.target else ():
                 self._controller.noted.emit(words)
         if names:
-            self._document.edit(f"seeds of {path.name}", edited)
+            self._document.edit(N_("seeds of {file}"), edited, file=path.name)
+        found = Plural(
+            "{file}: a target was found for {found:n} of {count:n} seed",
+            "{file}: targets were found for {found:n} of {count:n} seeds",
+        )
         self._controller.noted.emit(
-            f"{len(names)} of {len(outcomes)} seeds of {path.name} led to a target"
+            gettext(found, file=path.name, found=len(names), count=len(outcomes))
         )
         self._dialogs.seeds_found(outcomes, len(edited.lines))
 
@@ -113,10 +122,14 @@ class Seeding(QObject):
             self._actions[name].setEnabled(ready)
 
 
-def _in_words(wishes: Wishes) -> str:
-    """How the seeds of a list are sought."""
-    things = "planes" if wishes.shape == "plane" else "spheres, validation planes"
-    return (
-        f"All are searched for as {things} on every line, with search radius, threshold and the "
-        "rest as set in step 2."
+def _search_summary(wishes: Wishes) -> str:
+    """How the targets of a list are searched for."""
+    if wishes.shape == "plane":
+        return gettext(
+            "Planes are searched for in all lines, with the search radius, the threshold and the "
+            "other settings of step 2."
+        )
+    return gettext(
+        "Spheres, and planes for validation, are searched for in all lines, with the search "
+        "radius, the threshold and the other settings of step 2."
     )

@@ -1,4 +1,4 @@
-"""What the panels show of the document, and which actions can be taken."""
+"""Refresh of the panels from the document, and availability of the actions."""
 
 from typing import TYPE_CHECKING
 
@@ -8,6 +8,8 @@ from lispac.gui import status
 from lispac.gui.computing import PointCount
 from lispac.gui.language import leave_alone
 from lispac.gui.status import ADJUST, DATA, REPORT, TARGETS, VALIDATE
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.workflow.survey import Survey
 
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Showing(QObject):
-    """Joined to the window's parts."""
+    """Refreshes the panels and enables the actions after every change."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -34,7 +36,7 @@ class Showing(QObject):
         window.scene.which_changed.connect(self._show_which)
 
     def refresh(self) -> None:
-        """Show the document as it stands, everywhere."""
+        """Show the current document in all panels."""
         if self._opening:
             return
         window = self._window
@@ -53,7 +55,7 @@ class Showing(QObject):
         window.report.show_status(statuses[REPORT], survey is not None, busy)
         window.table.show_project(project, survey)
         window.results.show_project(
-            project, waiting=waiting, refusal=window.document.refusal,
+            project, waiting=waiting, refusal=_text_of(window.document.refusal),
             older=window.document.refused_since,
         )  # fmt: skip
         window.diagnostics.show_project(project, waiting=waiting)
@@ -162,3 +164,7 @@ class Showing(QObject):
         if project.result is None:
             return ADJUST
         return REPORT if project.validation else VALIDATE
+
+
+def _text_of(reason: Message | str) -> str:
+    return message_text(reason) if isinstance(reason, Message) else reason

@@ -1,4 +1,4 @@
-"""What stands where the lines will be, while no project is open: ways to begin."""
+"""Start page, shown while no project is open: recent projects and ways to begin."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -16,23 +16,24 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.language import say, say_moment
+from lispac.gui.language import say_moment
 from lispac.gui.panels import widgets
 from lispac.gui.tabbing import in_turn
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
+from lispac.language import N_, gettext
 
 WAYS = (
-    ("tour", "compass-outline", "Three-minute tour",
-     "Calibrate the built-in survey, led step by step"),
-    ("new", "folder-plus-outline", "New project…", "From a trajectory and raw lines"),
-    ("open", "folder-open-outline", "Open project…", "A folder with a project.json"),
-    ("demo", "ferry", "Demo survey", "A quay with two boards, seen on six lines"),
-    ("design", "vector-square", "Design a site…",
-     "Which boards and lines, before anything is surveyed"),
+    ("tour", "compass-outline", N_("Three-minute tour"),
+     N_("Calibrate the built-in survey step by step")),
+    ("new", "folder-plus-outline", N_("New project…"), N_("From a trajectory and lines")),
+    ("open", "folder-open-outline", N_("Open project…"), N_("A folder with a project.json file")),
+    ("demo", "ferry", N_("Demo survey"), N_("A quay with two boards, surveyed in six lines")),
+    ("design", "vector-square", N_("Design a site…"),
+     N_("Plan boards and lines before the survey")),
 )  # fmt: skip
-"""Name of the action, icon, title, and what it leads to."""
+"""Name of the action, icon, title and description of each way to begin."""
 LOW = 36
-"""Height of a way without what it leads to, pixels."""
+"""Height of a way without its description, pixels."""
 QWIDGETSIZE_MAX = (1 << 24) - 1
 
 
@@ -47,19 +48,19 @@ class StartPage(QScrollArea):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("start_page")
-        self.setAccessibleName(say("Start page"))
+        self.setAccessibleName(gettext("Start page"))
         # It would have the focus at first, unseen; keys scroll it from the ways, too
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         body = QWidget()
         self._outer = outer = QVBoxLayout(body)
-        title = widgets.label("Boresight calibration", "heading")
+        title = widgets.label(gettext("Boresight calibration"), "heading")
         title.setStyleSheet("font-size: 22px;")
         outer.addWidget(title)
         outer.addWidget(
             widgets.label(
-                "Drop raw lines and a trajectory anywhere on this window, or begin here.",
+                gettext("Drop lines and a trajectory anywhere on this window, or begin here."),
                 "muted", wrap=True,
             )
         )  # fmt: skip
@@ -67,11 +68,17 @@ class StartPage(QScrollArea):
         sides = QHBoxLayout()
         sides.setSpacing(36)
         self._begin, self._recent = QVBoxLayout(), QVBoxLayout()
-        for side, head in ((self._begin, "Begin"), (self._recent, "Recent projects")):
+        for side, head in (
+            (self._begin, gettext("Begin")),
+            (self._recent, gettext("Recent projects")),
+        ):
             side.setSpacing(4)
             side.addWidget(widgets.label(head, "heading"))
             sides.addLayout(side, 1)
-        self.ways = {name: _link(icon, title, told) for name, icon, title, told in WAYS}
+        self.ways = {
+            name: _link(icon, gettext(title), gettext(description))
+            for name, icon, title, description in WAYS
+        }
         for name, way in self.ways.items():
             way.setObjectName(f"start_{name}")
             way.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
@@ -84,20 +91,21 @@ class StartPage(QScrollArea):
         self.setWidget(body)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Have all ways in sight: where a window is low, only tips say what they lead to."""
+        """Keep all ways in sight: in a low window their descriptions become tooltips."""
         super().resizeEvent(event)
-        self._tell(True)
+        self._describe(True)
         place = self._begin.geometry()
         lowest = place.top() + self._begin.heightForWidth(place.width())
         if lowest > self.viewport().height():
-            self._tell(False)
+            self._describe(False)
 
-    def _tell(self, whole: bool) -> None:
+    def _describe(self, whole: bool) -> None:
+        """Show the descriptions below the titles, or as tooltips."""
         self._outer.setContentsMargins(40, 28 if whole else 12, 40, 28)
-        for name, _, _, told in WAYS:
-            way = self.ways[name]
-            way.setDescription(say(told) if whole else "")
-            way.setToolTip("" if whole else say(told))
+        for name, _, _, description in WAYS:
+            way, text = self.ways[name], gettext(description)
+            way.setDescription(text if whole else "")
+            way.setToolTip("" if whole else text)
             way.setMaximumHeight(QWIDGETSIZE_MAX if whole else LOW)
             way.updateGeometry()
         self._begin.setSpacing(4 if whole else 2)
@@ -115,7 +123,7 @@ class StartPage(QScrollArea):
         in_turn(self.ways[WAYS[-1][0]], self._projects)
 
     def _project(self, folder: Path) -> QCommandLinkButton:
-        made = _link("folder-outline", folder.name, _state(folder), bare=True)
+        made = _link("folder-outline", folder.name, _state(folder))
         made.setObjectName("start_recent")
         made.setToolTip(widgets.plain_tip(str(folder)))
         made.setEnabled((folder / FILE_NAME).is_file())
@@ -123,8 +131,8 @@ class StartPage(QScrollArea):
         return made
 
 
-def _link(icon: str, title: str, told: str, *, bare: bool = False) -> QCommandLinkButton:
-    made = QCommandLinkButton(title if bare else say(title), say(told))
+def _link(icon: str, title: str, description: str) -> QCommandLinkButton:
+    made = QCommandLinkButton(title, description)
     made.setIcon(theme.icon(icon, theme.ACCENT))
     made.setIconSize(QSize(24, 24))
     made.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -132,14 +140,19 @@ def _link(icon: str, title: str, told: str, *, bare: bool = False) -> QCommandLi
 
 
 def _state(folder: Path) -> str:
-    """When a project was saved last, and where it is."""
+    """Date of the last save of a project, and its folder."""
     try:
         saved = say_moment((folder / FILE_NAME).stat().st_mtime)
     except OSError:
-        return f"Not found: {folder}"
-    unsaved = "; has unsaved work" if (folder / UNSAVED_NAME).is_file() else ""
-    return f"Saved {saved}{unsaved}, in {folder.parent}"
+        return gettext("Not found: {folder}", folder=folder)
+    if (folder / UNSAVED_NAME).is_file():
+        return gettext(
+            "Saved {time}, with unsaved changes, in {folder}", time=saved, folder=folder.parent
+        )
+    return gettext("Saved {time} in {folder}", time=saved, folder=folder.parent)
 
 
 def _nothing() -> QLabel:
-    return widgets.label("Projects appear here once you have opened one.", "muted", wrap=True)
+    return widgets.label(
+        gettext("Projects appear here after you have opened them."), "muted", wrap=True
+    )

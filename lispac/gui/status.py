@@ -1,12 +1,13 @@
-"""What each of the five steps has, lacks and asks for next, in words."""
+"""State of the five steps of the workflow: a short status and the next action for each."""
 
 from dataclasses import dataclass
 from typing import Literal
 
 from lispac.doubles import doubts_of
 from lispac.gui.language import say_message
+from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
-from lispac.messages import note
+from lispac.messages import Message, note
 from lispac.project import Project
 from lispac.workflow.facing import face_one_way
 from lispac.workflow.survey import Survey
@@ -14,7 +15,15 @@ from lispac.workflow.survey import Survey
 State = Literal["empty", "todo", "done", "warning"]
 
 STEPS = ("Data", "Targets", "Adjust", "Validate", "Report")
+"""Names of the steps, as in `Cause`."""
+STEP_TITLES = (
+    N_("1  Data"), N_("2  Targets"), N_("3  Adjust"), N_("4  Validate"), N_("5  Report"),
+)  # fmt: skip
+"""Headers of the steps, translated where they are shown."""
 DATA, TARGETS, ADJUST, VALIDATE, REPORT = range(5)
+
+POINTS = Plural("{count:n} point", "{count:n} points")
+VALIDATION_PLANES = Plural("{count:n} validation plane", "{count:n} validation planes")
 
 
 @dataclass(frozen=True)
@@ -40,8 +49,15 @@ def counted(number: int, word: str, many: str = "") -> str:
 
 
 def point_count(number: int) -> str:
-    """A large count as one reads it: ``812``, ``26,104``, ``4.9 M points``."""
-    return f"{number / 1e6:.1f} M points" if number >= 1_000_000 else counted(number, "point")
+    """A number of points: ``812 points``, ``4.9 M points``, in the language of the window."""
+    if number >= 1_000_000:
+        return gettext("{millions:x.1} M points", millions=number / 1e6)
+    return gettext(POINTS, count=number)
+
+
+def line_count(number: int) -> str:
+    """A number of lines in the language of the window."""
+    return gettext(Plural("{count:n} line", "{count:n} lines"), count=number)
 
 
 def steps(
@@ -49,7 +65,7 @@ def steps(
     survey: Survey | None,
     *,
     waiting: bool = False,
-    refusal: str = "",
+    refusal: Message | str = "",
     reported: str = "",
 ) -> tuple[StepStatus, ...]:
     """Status of the five steps in order.
@@ -60,17 +76,21 @@ def steps(
         None while data are not loaded.
     waiting : bool
         Whether a result is to follow from the last edit by itself.
-    refusal : str
-        Why none follows, in words.
+    refusal : Message or str
+        Why none follows.
     reported : str
         Name of the file a report of the project as it stands was written to.
     """
     if project is None:
-        nothing = StepStatus("empty", "no project", "Open or make a project first.")
+        nothing = StepStatus(
+            "empty", gettext("no project"), gettext("Open or create a project first.")
+        )
         first = StepStatus(
             "todo",
-            "no project open",
-            "Make a project from a trajectory and raw lines, or open the built-in demo survey.",
+            gettext("no project open"),
+            gettext(
+                "Create a project from a trajectory and lines, or open the built-in demo survey."
+            ),
         )
         return (first, *[nothing] * 4)
     return (
@@ -83,14 +103,17 @@ def steps(
 
 
 def _data(project: Project, survey: Survey | None) -> StepStatus:
-    lines = counted(len(project.lines), "line")
+    lines = len(project.lines)
     if survey is None:
-        return StepStatus("todo", f"{lines}, being read", "The files are being read.")
+        reading = Plural("{count:n} line, reading", "{count:n} lines, reading")
+        return StepStatus(
+            "todo", gettext(reading, count=lines), gettext("The files are being read.")
+        )
     points = sum(len(scan) for scan in survey.scans.values())
     return StepStatus(
         "done",
-        f"{lines}, {point_count(points)}",
-        "Check the lever arm and its signs, then go on to the targets.",
+        gettext("{lines}, {points}", lines=line_count(lines), points=point_count(points)),
+        gettext("Check the lever arm and its signs, then continue with the targets."),
         ready=True,
     )
 
@@ -99,41 +122,54 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
     used = [target for target in project.of_role("target") if target.used]
     planes = project.of_role("validation")
     if survey is None:
-        return StepStatus("empty", "data first", "Wait until the data are read.")
+        return StepStatus("empty", gettext("data first"), gettext("Wait until the data are read."))
     if not used:
         return StepStatus(
-            "todo", "no targets yet", "Hold Ctrl and click a target in the view.", ready=True
+            "todo",
+            gettext("no targets yet"),
+            gettext("Hold Ctrl and click a target in the view."),
+            ready=True,
         )
     thin = [target.name for target in used if len(target.used_sightings) < 2]
     lines = {s.line for target in used for s in target.used_sightings}
-    sentence = f"{counted(len(used), 'target')} in {counted(len(lines), 'line')}"
+    targets = gettext(Plural("{count:n} target", "{count:n} targets"), count=len(used))
+    sentence = gettext("{targets} in {lines}", targets=targets, lines=line_count(len(lines)))
     if planes:
-        sentence += f", {counted(len(planes), 'validation plane')}"
+        text = gettext(VALIDATION_PLANES, count=len(planes))
+        sentence = gettext("{targets}, {planes}", targets=sentence, planes=text)
     if thin:
         return StepStatus(
             "warning",
             sentence,
-            f"{thin[0]} is seen on fewer than two lines: seed it on another, or leave it out.",
+            gettext(
+                "{target} was found in fewer than two lines. Seed it in another line, or exclude "
+                "it.",
+                target=thin[0],
+            ),
             ready=True,
         )
     if len(used) < 2:
         return StepStatus(
             "warning",
-            f"{sentence}: second target required",
+            gettext("{targets}: second target required", targets=sentence),
             _single_target(),
             ready=True,
         )
     if project.result is None and face_one_way(project, survey):
         return StepStatus("warning", sentence, _one_facing(), ready=True)
-    advice = (
-        "Enough to adjust. Pick validation planes too, to show how well the lines agree."
-        if not planes
-        else "Enough to adjust and to validate."
-    )
+    if planes:
+        advice = gettext("The targets suffice to adjust and to validate.")
+    else:
+        advice = gettext(
+            "The targets suffice to adjust. Pick validation planes as well, to check how well the "
+            "lines agree."
+        )
     return StepStatus("done", sentence, advice, ready=True)
 
 
-def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str) -> StepStatus:
+def _adjust(
+    project: Project, survey: Survey | None, waiting: bool, refusal: Message | str
+) -> StepStatus:
     used = [target for target in project.of_role("target") if target.used]
     ready = survey is not None and bool(used)
     if project.result is not None:
@@ -141,28 +177,43 @@ def _adjust(project: Project, survey: Survey | None, waiting: bool, refusal: str
         passed = project.result.chi_square.passed
         serious = any(message.is_serious for message in doubts_of(project))
         if serious:
-            advice = "Do not use the angles before you have read the warnings on the right."
-        elif passed:
-            advice = "The result stands on the right."
+            sentence = gettext("done, with warnings: variance factor {factor:x.2}", factor=factor)
+            advice = gettext("Read the warnings on the right before you use the angles.")
         else:
-            advice = "The residuals do not match the stated sigmas: see the test on the right."
+            sentence = gettext("done: variance factor {factor:x.2}", factor=factor)
+            advice = gettext("The result is on the right.")
+        if not serious and not passed:
+            advice = gettext(
+                "The residuals do not agree with the given standard deviations. See the test on "
+                "the right."
+            )
         return StepStatus(
             "done" if passed and not serious else "warning",
-            f"done{', in doubt' if serious else ''}: variance factor {factor:.2f}",
+            sentence,
             advice,
             ready=ready,
         )
     if refusal:
-        return StepStatus("warning", "not estimated", refusal, ready=ready)
+        reason = message_text(refusal) if isinstance(refusal, Message) else refusal
+        return StepStatus("warning", gettext("not estimated"), reason, ready=ready)
     if waiting:
-        return StepStatus("todo", "estimating again", "The result follows at once.", ready=ready)
+        return StepStatus(
+            "todo",
+            gettext("estimating again"),
+            gettext("The result follows without further action."),
+            ready=ready,
+        )
     if not ready:
-        return StepStatus("empty", "pick targets first", "Pick at least two targets first.")
+        return StepStatus(
+            "empty", gettext("pick targets first"), gettext("Pick at least two targets first.")
+        )
     if len(used) < 2:
-        return StepStatus("warning", "a second target is missing", _single_target(), ready=True)
+        sentence = gettext("second target required")
+        return StepStatus("warning", sentence, _single_target(), ready=True)
     if survey is not None and face_one_way(project, survey):
-        return StepStatus("warning", "another inclination is missing", _one_facing(), ready=True)
-    return StepStatus("todo", "ready to estimate", "Press Estimate.", ready=True)
+        sentence = gettext("target with another orientation required")
+        return StepStatus("warning", sentence, _one_facing(), ready=True)
+    return StepStatus("todo", gettext("ready to estimate"), gettext("Press Estimate."), ready=True)
 
 
 def _validate(project: Project, survey: Survey | None) -> StepStatus:
@@ -170,52 +221,82 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
     if project.validation:
         better = sum(c.after.rms < c.before.rms for c in project.validation)
         total = len(project.validation)
-        sentence = f"{better} of {total} {'plane' if total == 1 else 'planes'} closer than before"
-        left_out = project.not_compared
-        if left_out:
-            sentence += f", {len(left_out)} not compared"
+        sentence = gettext(
+            Plural(
+                "{better:n} of {count:n} plane improved", "{better:n} of {count:n} planes improved"
+            ),
+            better=better,
+            count=total,
+        )
+        not_compared = project.not_compared
+        if not_compared:
+            sentence = gettext(
+                "{planes}, {number:n} not compared", planes=sentence, number=len(not_compared)
+            )
         return StepStatus(
-            "done" if better == total and not left_out else "warning",
+            "done" if better == total and not not_compared else "warning",
             sentence,
-            "\n".join(["The histograms stand below.", *map(say_message, left_out.values())]),
+            "\n".join(
+                [gettext("The histograms are below."), *map(say_message, not_compared.values())]
+            ),
             ready=project.result is not None and survey is not None,
         )
     if not planes:
         return StepStatus(
             "empty",
-            "no validation planes",
-            "Pick planes that take no part in the adjustment: choose Validation plane in step 2, "
-            "then Ctrl+click.",
+            gettext("no validation planes"),
+            gettext(
+                "Pick planes that are not used in the adjustment: select Validation plane in "
+                "step 2, then Ctrl+click."
+            ),
         )
     if project.result is None:
         return StepStatus(
             "empty",
-            f"{counted(len(planes), 'plane')}, estimate first",
-            "Estimate the boresight first; then the lines are compared before and after.",
+            gettext(
+                Plural("{count:n} plane, estimate first", "{count:n} planes, estimate first"),
+                count=len(planes),
+            ),
+            gettext("Estimate the boresight first, to compare the lines before and after."),
         )
     return StepStatus(
         "todo",
-        f"{counted(len(planes), 'plane')} to compare",
-        "Press Validate to compare the lines on each plane.",
+        gettext(
+            Plural("{count:n} plane to compare", "{count:n} planes to compare"), count=len(planes)
+        ),
+        gettext("Press Validate to compare the lines on each plane."),
         ready=survey is not None,
     )
 
 
 def _report(project: Project, survey: Survey | None, reported: str) -> StepStatus:
     if project.result is None:
-        return StepStatus("empty", "estimate first", "The report needs an estimated boresight.")
+        return StepStatus(
+            "empty",
+            gettext("estimate first"),
+            gettext("The report needs an estimated boresight."),
+        )
     if reported:
         return StepStatus(
             "done",
-            f"exported: {reported}",
-            "The report tells of the project as it stands; export it again in another form.",
+            gettext("exported: {file}", file=reported),
+            gettext("The report is up to date. You can export it again in another format."),
             ready=survey is not None,
         )
-    missing = "" if project.validation else " It will have no validation: run step 4 for it."
+    if project.validation:
+        return StepStatus(
+            "todo",
+            gettext("ready to export"),
+            gettext("Export the report as PDF or HTML, or its numbers as JSON."),
+            ready=survey is not None,
+        )
     return StepStatus(
-        "todo" if project.validation else "warning",
-        "ready to export" if project.validation else "ready, without validation",
-        "Export the report as PDF or HTML, or its numbers as JSON." + missing,
+        "warning",
+        gettext("ready, without validation"),
+        gettext(
+            "Export the report as PDF or HTML, or its numbers as JSON. It will have no validation; "
+            "run step 4 to add one."
+        ),
         ready=survey is not None,
     )
 

@@ -1,4 +1,4 @@
-"""Progress, time left and Cancel of the running task, and the last note."""
+"""Status bar: progress and time left of the running task, its Cancel button, the last note."""
 
 import re
 import time
@@ -10,6 +10,7 @@ from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.warnings import WarningsButton
 from lispac.gui.tasks import Task
+from lispac.language import gettext
 from lispac.survey.store.pace import spoken
 
 QUIET_FOR = 0.3
@@ -34,7 +35,11 @@ class TaskBar(QStatusBar):
         self.bar.setObjectName("task_progress")
         self.bar.setRange(0, 1000)
         self.bar.setFixedWidth(200)
-        self.cancel = widgets.button("Cancel", "cancel_task", tip="Stop; nothing is changed")
+        self.cancel = widgets.button(
+            gettext("Cancel"),
+            "cancel_task",
+            tip=gettext("Stop the running task; nothing is changed"),
+        )
         self.cancel.setStyleSheet("padding: 1px 10px;")
         self.cancel.clicked.connect(self.cancel_asked)
         self._parts = (self.text, self.bar, self.cancel)
@@ -52,25 +57,30 @@ class TaskBar(QStatusBar):
         if task is None or not shown:
             return
         if task.cancel.is_set():
-            self.text.setText(say(f"{task.title}: stopping …"))
+            self.text.setText(gettext("{task}: stopping…", task=say(task.title)))
         else:
-            self.text.setText(_words(task))
+            self.text.setText(_progress_text(task))
         self.bar.setValue(round(task.fraction * 1000))
         self.cancel.setEnabled(not task.cancel.is_set())
 
 
-LEFT = re.compile(r", [^,]+ left$")
-"""Time left as work says it of its own step: of the line that is read, say."""
+STEP_TIME_LEFT = re.compile(r", [^,]+ left$")
+"""Time left for one step of a task, such as a line that is read, at the end of its message."""
 
 
-def _words(task: Task) -> str:
-    """What is done and what is left, each said by itself: what is done may end with any name."""
-    words = task.message or task.title
+def _progress_text(task: Task) -> str:
+    """What the task does, its rate and the time left for all of it."""
+    message = task.message or task.title
     elapsed = time.monotonic() - task.started
     left = task.seconds_left()
     if left is None or elapsed <= 1.0:
-        return say(words)
-    if LEFT.search(words):  # it says its rate as well; what is left counts for all of the task
-        return f"{say(LEFT.sub('', words))}  ·  {say(f'{spoken(left)} left')}"
-    rate = 100 * task.fraction / elapsed
-    return f"{say(words)}  ·  {say(f'{rate:.0f} %/s, {spoken(left)} left')}"
+        return say(message)
+    time_left = spoken(left)
+    if STEP_TIME_LEFT.search(message):  # such a message has a rate as well
+        return "  ·  ".join(
+            (say(STEP_TIME_LEFT.sub("", message)), gettext("{time} left", time=time_left))
+        )
+    pace = gettext(
+        "{rate:percent.0} %/s, {time} left", rate=task.fraction / elapsed, time=time_left
+    )
+    return f"{say(message)}  ·  {pace}"

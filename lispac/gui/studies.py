@@ -1,7 +1,7 @@
-"""Studies of an answer, and of boards before there is one.
+"""Studies of a result, and of boards before a survey.
 
-Of an answer: against a reference, over the years, with other distances between points, what each
-source of error does, and how well the lines fit each other.
+Of a result: comparison with a reference, history of calibrations, subsampling study, error budget,
+and differences between lines.
 """
 
 from typing import TYPE_CHECKING
@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.panels.histograms import preload
 from lispac.installed import home_folder
+from lispac.language import N_, gettext
 from lispac.progress import Progress, part
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Studies(QObject):
-    """Joined to the window's parts."""
+    """Runs the studies and shows their results in dialogues."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -63,7 +64,7 @@ class Studies(QObject):
             return histories([folder], also=current, progress=progress)
 
         self._runner.run(
-            "Reading the calibrations",
+            gettext("Reading the calibrations"),
             work,
             lambda found: self._dialogs.history(*found),
             shows=True,
@@ -87,22 +88,23 @@ class Studies(QObject):
 
         def done(checked: tuple[Project, tuple[str, ...]]) -> None:
             found, notes = checked
-            self._document.edit(f"check against {request.path.name}", found)
+            self._document.edit(N_("check against {file}"), found, file=request.path.name)
             for note in notes:
                 self._controller.noted.emit(note)
             assert found.absolute is not None
             self._dialogs.checked(Absolute.of(found.absolute))
 
-        task = self._runner.run(f"Checking against {request.path.name}", work, done, shows=True)
+        title = gettext("Checking against {file}", file=request.path.name)
+        task = self._runner.run(title, work, done, shows=True)
         self._controller.based_on_project(task)
 
     def budget(self) -> None:
-        """Show what each source of error does to a point."""
+        """Show the effect of each source of error on a point."""
         project, survey = self._ready()
         if project is None or survey is None:
             return
         task = self._runner.run(
-            "Adding up the errors",
+            gettext("Computing the error budget"),
             lambda _progress: Budget.of(budget_of(project, survey)),
             self._dialogs.budget,
             shows=True,
@@ -110,7 +112,7 @@ class Studies(QObject):
         self._controller.based_on_project(task)
 
     def line_quality(self) -> None:
-        """Show how far the lines are apart as they are shown."""
+        """Show the differences between the lines as they are shown."""
         project, survey = self._ready()
         if project is None or survey is None:
             return
@@ -121,12 +123,12 @@ class Studies(QObject):
             return line_quality(project, survey, which=which, progress=progress)
 
         task = self._runner.run(
-            "Comparing the lines", work, self._dialogs.line_quality, shows=True
+            gettext("Comparing the lines"), work, self._dialogs.line_quality, shows=True
         )  # fmt: skip
         self._controller.based_on_project(task)
 
     def subsampling(self) -> None:
-        """Adjust with points nearer together and farther apart."""
+        """Adjust with smaller and larger point spacings."""
         project, survey = self._ready()
         if project is None or survey is None:
             return
@@ -136,13 +138,13 @@ class Studies(QObject):
             return subsampling_study(project, survey, sorted({*USUAL, used}), progress=progress)
 
         task = self._runner.run(
-            "Studying the distance between points", work,
+            gettext("Subsampling study"), work,
             lambda found: self._dialogs.subsampling(found, used), shows=True,
         )  # fmt: skip
         self._controller.based_on_project(task)
 
     def visibility(self) -> None:
-        """Show which boards and lines show which error; it needs no project."""
+        """Show the boards and lines that make each error visible; no project is needed."""
 
         def work(progress: Progress) -> list[Visibility]:
             preload()
@@ -152,7 +154,7 @@ class Studies(QObject):
                 for k, site in enumerate(sites)
             ]
 
-        self._runner.run("Simulating boards", work, self._dialogs.visibility, shows=True)
+        self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, shows=True)
 
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

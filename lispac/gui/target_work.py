@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.gui.judging import Judging
+from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
 from lispac.workflow.survey import Survey
@@ -62,7 +63,7 @@ class TargetWork(QObject):
             return not_picked(project, propose(project, survey, progress=progress))
 
         task = self._runner.run(
-            "Proposing targets",
+            gettext("Proposing targets"),
             work,
             lambda proposal: self._offer(project, proposal),
             shows=True,
@@ -70,7 +71,7 @@ class TargetWork(QObject):
         self._controller.based_on_project(task)
 
     def find_again(self) -> None:
-        """Seek the selected target at its seed with other settings."""
+        """Search for the selected target at its seed with other settings."""
         project, survey = self._ready()
         name = self._targets.current
         if project is None or survey is None or name is None:
@@ -91,7 +92,8 @@ class TargetWork(QObject):
             )  # fmt: skip
             return _used_as_before(found, target)
 
-        task = self._runner.run(f"Finding {name} again", work, self._controller.offer)
+        title = gettext("Searching for {target} again", target=name)
+        task = self._runner.run(title, work, self._controller.offer)
         self._controller.based_on_project(task)
 
     def _offer(self, project: Project, proposal: "Proposal") -> None:
@@ -100,15 +102,15 @@ class TargetWork(QObject):
         if self._document.project is not project:
             return
         if not proposal.targets:
-            self._controller.noted.emit("Nothing to propose that is not picked already")
+            self._controller.noted.emit(gettext("No further targets to propose"))
             return
         names = self._dialogs.proposal(proposal)
         if not names:
-            self._controller.noted.emit("Proposal rejected")
+            self._controller.noted.emit(gettext("Proposed targets rejected"))
             return
         edited, given = with_accepted(project, proposal, names)
-        self._document.edit("proposal", edited)
-        self._controller.noted.emit(f"Accepted {', '.join(given)} of the proposal")
+        self._document.edit(N_("proposed targets"), edited)
+        self._controller.noted.emit(gettext("Accepted {targets:names}", targets=given))
 
     def _ready(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current and not self._runner.busy
@@ -122,7 +124,7 @@ class TargetWork(QObject):
 
 
 def _used_as_before(found: Target, before: Target) -> Target:
-    """What was left out stays left out."""
+    """Exclude the sightings that were excluded before."""
     left_out = {sighting.line for sighting in before.sightings if not sighting.used}
     sightings = tuple(replace(s, used=s.line not in left_out) for s in found.sightings)
     return replace(found, used=before.used, sightings=sightings)

@@ -1,11 +1,10 @@
 """Long work: one runner on the GUI thread, one worker thread, one cancel flag per task.
 
-The worker gets a function that takes `progress` and returns a value. It only leaves numbers in
-the task and asks for the cancel flag; the GUI thread looks at them twenty times a second, and it
-alone calls what is to be done with the value. A cancelled or failed task changes nothing; one that
-writes files and has ended when it is cancelled has written them, and that is what is said. Where
-what was found is shown in a dialogue, the task has ended before that opens, and waits for one that
-is open already.
+The worker runs a function that takes `progress` and returns a value. It only sets numbers of the
+task and checks the cancel flag; the GUI thread reads them twenty times a second, and it alone
+processes the value. A cancelled or failed task changes nothing; a task that has already written its
+files when it is cancelled is reported as completed. A task whose value is shown in a dialogue ends
+before the dialogue opens, and waits until one that is already open is closed.
 """
 
 import queue
@@ -19,7 +18,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.errors import Cancelled
+from lispac.gui.language import say
 from lispac.gui.tidying import GivingBack
+from lispac.language import gettext
 from lispac.progress import Progress
 
 REFRESH_MS = 50
@@ -87,9 +88,9 @@ class TaskRunner(QObject):
     failed = Signal(object)
     """The exception a task ended with."""
     stopped = Signal(str)
-    """Title of a task that was cancelled."""
+    """Title of a cancelled task."""
     too_late = Signal(str)
-    """Says of a task that it had done its work when it was cancelled."""
+    """Text that a task was completed before it could be cancelled."""
     idle = Signal()
     """Nothing runs and nothing waits."""
     _ended = Signal()
@@ -206,7 +207,11 @@ class TaskRunner(QObject):
                 self.failed.emit(task.error)
             else:
                 if task.cancel.is_set():
-                    self.too_late.emit(f"{task.title}: it was done before it could be cancelled")
+                    self.too_late.emit(
+                        gettext(
+                            "{task}: completed before it could be cancelled", task=say(task.title)
+                        )
+                    )
                 if task.shows:
                     self.changed.emit()
                 task.done(task.value)

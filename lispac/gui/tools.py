@@ -1,4 +1,4 @@
-"""The tools that look into the lines: made here, and joined to the window's parts."""
+"""Tools for inspection: sections, measurements, clip box, lasso, comparison, patch test."""
 
 from typing import TYPE_CHECKING
 
@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 from lispac.gui.clipping import Clipping
 from lispac.gui.comparing import Comparing
 from lispac.gui.docks import raise_panel
-from lispac.gui.hovering import Hovering, Wanted
+from lispac.gui.hovering import Hovering, PreviewSettings
 from lispac.gui.lasso import Lasso
 from lispac.gui.measuring import Measuring
 from lispac.gui.panels.clipping import TITLE as CLIPPING
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Tools(QObject):
-    """Sections, measurements, the clip box, the lasso, and before beside after."""
+    """Creates the tools and connects them with the window."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -46,7 +46,7 @@ class Tools(QObject):
             window.controller.refused.emit,
         )  # fmt: skip
         self.hovering = Hovering(
-            window.document, window.runner, view, actions, self._wanted, window.controller
+            window.document, window.runner, view, actions, self._preview_settings, window.controller
         )
         self.pictures = Pictures(
             window.document, window.runner, view, self.sections.panel, actions, window.dialogs,
@@ -59,13 +59,13 @@ class Tools(QObject):
         window.document.opened.connect(self.pointing.end)
         window.document.left.connect(self.clipping.reset)
 
-    def _wanted(self) -> Wanted:
+    def _preview_settings(self) -> PreviewSettings:
         targets = self._window.targets
-        return Wanted(targets.threshold, targets.radius, targets.shape == "plane")
+        return PreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
 
     @property
     def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:
-        """The tools' panels by their titles, and on which side they are."""
+        """Panels of the tools by their titles, and the sides they are on."""
         below = Qt.DockWidgetArea.BottomDockWidgetArea
         return {
             SECTION: (self.sections.panel, below),

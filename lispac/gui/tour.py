@@ -1,7 +1,7 @@
 """The three-minute tour: the built-in survey calibrated, led step by step.
 
-Each step is done by the user with the real means of the window; the tour only says what to do,
-brings the place into view, and goes on when the project shows that it is done.
+The user does each step with the ordinary functions of the window. The tour shows the instruction,
+brings the place into view, and continues when the project shows that the step is done.
 """
 
 from collections.abc import Callable
@@ -12,9 +12,9 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import TARGETS
+from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.facing import face_one_way
@@ -28,10 +28,11 @@ AROUND = 2.5
 
 @dataclass(frozen=True)
 class Step:
-    """What to do, where, and how one sees that it is done.
+    """One step of the tour: instruction, place and the test for its end.
 
     Attributes
     ----------
+    text : instruction, marked with `N_`
     place : name of a seed of the demo that is brought into view; "" for all of the survey
     done : whether a project, and a plane that waits to be accepted, are beyond this step
     """
@@ -46,37 +47,39 @@ def _targets(project: Project, role: str) -> int:
 
 
 STEPS = (
-    Step("The vessel has passed this quay six times; each line has its colour. The scanner is not "
-         "mounted as its drawing says, so the same wall stands in six places. Hold Ctrl and click "
-         "the board in the middle of the view.", "T1",
+    Step(N_("The vessel has passed this quay six times; each line has its own colour. The scanner "
+            "is not mounted as specified, so the same wall appears in six places. Hold Ctrl and "
+            "click the board in the middle of the view."), "T1",
          lambda project, waits: waits or _targets(project, "target") >= 1),
-    Step("The plane of the board was found on every line. Press Return to accept it.", "T1",
+    Step(N_("The plane of the board was found in every line. Press Return to accept it."), "T1",
          lambda project, _waits: _targets(project, "target") >= 1),
-    Step("One board cannot tell all three angles. This second one leans back: Ctrl+click it and "
-         "press Return.", "T2", lambda project, _waits: _targets(project, "target") >= 2),
-    Step("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with sigmas "
-         "that count the errors of the trajectory.", "",
+    Step(N_("One board does not determine all three angles. This second one leans back: Ctrl+click "
+            "it and press Return."), "T2",
+         lambda project, _waits: _targets(project, "target") >= 2),
+    Step(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
+            "standard deviations that include the errors of the trajectory."), "",
          lambda project, _waits: project.result is not None),
-    Step("Do the lines agree now? Press F7 and Ctrl+click the plane in the middle: a "
-         "validation plane takes no part in the adjustment. Accept it with Return.", "V1",
+    Step(N_("Do the lines agree now? Press F7 and Ctrl+click the plane in the middle: a "
+            "validation plane is not used in the adjustment. Press Return to accept it."), "V1",
          lambda project, _waits: _targets(project, "validation") >= 1),
-    Step("Press F10: the histograms below show how far the lines were from each other before, and "
-         "are after. B switches the view between the two.", "",
+    Step(N_("Press F10: the histograms below show the distances between the lines before and "
+            "after the calibration. B switches the view between the two."), "",
          lambda project, _waits: bool(project.validation)),
-    Step("That is all there is to it. Ctrl+E writes the report that you sign; each step on the "
-         "left says what is missing and what comes next.", "", lambda _project, _waits: False),
+    Step(N_("The calibration is complete. Ctrl+E writes the report for your signature; each step "
+            "on the left shows what is missing and what comes next."), "",
+         lambda _project, _waits: False),
 )  # fmt: skip
 
 
-ALIKE = (
-    "This target faces the same way as the other, so the angles stay open. Take it back with "
+ALIKE = N_(
+    "This target faces the same way as the other, so the angles are not determined. Undo with "
     "Ctrl+Z, then Ctrl+click the board that leans back and press Return."
 )
-"""Said while that is so, wherever the tour stands."""
+"""Shown instead of the text of any step while that is so."""
 
 
 class TourCard(QFrame):
-    """What to do now, above the view."""
+    """Instruction of the current step, above the view."""
 
     ended = Signal()
 
@@ -92,21 +95,23 @@ class TourCard(QFrame):
         words.addWidget(self.head)
         words.addWidget(self.text)
         layout.addLayout(words, 1)
-        self.end = widgets.button("End the tour", "tour_end")
+        self.end = widgets.button(gettext("End the tour"), "tour_end")
         self.end.clicked.connect(self.ended)
         layout.addWidget(self.end)
         self.hide()
 
     def show_step(self, number: int, text: str) -> None:
-        """Say what to do; ``number`` counts from 0."""
-        self.head.setText(say(f"Tour, step {number + 1} of {len(STEPS)}"))
-        self.text.setText(say(text))
-        self.end.setText(say("End the tour" if number < len(STEPS) - 1 else "Close"))
+        """Show an instruction, marked with `N_`; ``number`` counts from 0."""
+        head = gettext("Tour, step {step:n} of {count:n}", step=number + 1, count=len(STEPS))
+        self.head.setText(head)
+        self.text.setText(gettext(text))
+        last = number == len(STEPS) - 1
+        self.end.setText(gettext("Close") if last else gettext("End the tour"))
         self.show()
 
 
 class Tour(QObject):
-    """Leads through the demo; joined to the window's parts."""
+    """Follows the project through the steps of the tour."""
 
     def __init__(self, window: "MainWindow", card: TourCard) -> None:
         super().__init__(window)
@@ -158,7 +163,7 @@ class Tour(QObject):
             project = document.project
             for target in project.targets:
                 project = project.without_target(target.name)
-            document.edit("start of the tour", project)
+            document.edit(N_("start of the tour"), project)
         self._window.workflow.open(TARGETS)
         self.go_on()
 

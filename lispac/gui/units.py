@@ -1,8 +1,8 @@
-"""The units that figures are shown and typed in; files, reports and scripts have their own.
+"""Units of the numbers shown and typed in the window; files, reports and scripts have their own.
 
-Values come and go in the unit they have always had in the window, the base: metres, millimetres,
-degrees, thousandths of a degree. Only figures, signs of units and fields know of another. What is
-a direction on a compass, or how steep something stands, is told in degrees by all.
+Values are in a base unit: metres, millimetres, degrees, thousandths of a degree. Only numbers as
+text, signs of units and fields convert them to the unit chosen. Azimuths and inclinations are in
+degrees whatever the choice.
 """
 
 import re
@@ -133,6 +133,18 @@ def local_amount(value: float, base: Base, form: str) -> str:
     sign = local_sign(base)
     blank = "" if sign in "°′″" else "\N{NO-BREAK SPACE}"
     return f"{local_figure(value, base, form)}{blank}{sign}"
+
+
+def quantity(value: float, base: Base, usual: int, *, sign: bool = False) -> str:
+    """A value with its unit, as the language of the window writes both.
+
+    Parameters
+    ----------
+    value : in the base
+    usual : decimals in the base
+    sign : whether a positive value has one
+    """
+    return local_amount(value, base, f"{'+' if sign else ''}.{usual}f")
 
 
 def limit(value: float, base: Base) -> str:

@@ -55,6 +55,18 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.not_typeset": N_("The PDF report could not be made ({reason})."),
     # -- window --------------------------------------------------------------------------------
+    "window.adjustment_cancelled": N_(
+        "The adjustment was cancelled. Press Estimate to run it again."
+    ),
+    "window.adjustment_failed": N_("The adjustment failed. Press Estimate to run it again."),
+    "window.unsaved_work_not_kept": N_(
+        "A recovery copy of unsaved changes cannot be written ({reason}). Save the project to keep "
+        "them."
+    ),
+    "window.unsaved_work_elsewhere": N_(
+        "No recovery copy of unsaved changes is written, because the project is open in another "
+        "window. Save the project to keep your changes."
+    ),
     "window.not_saved": N_("{reason} Use File > Save as… to save to another folder."),
     "window.picture_not_written": N_(
         "{file}: the picture cannot be written. Choose another folder."

@@ -36,10 +36,10 @@ def warnings_of(
     survey: Survey | None,
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     *,
-    refusal: str = "",
+    refusal: Message | str = "",
     refused_since: Message | str = "",
     stale: bool = False,
-    storage: str = "",
+    storage: Message | None = None,
 ) -> tuple[Message, ...]:
     """All warnings, then all notes, in the order of the work; assumptions last.
 
@@ -48,10 +48,10 @@ def warnings_of(
     survey : Survey or None
         None while the data are not loaded.
     qualities : of the sightings, by the names of target and line, as far as they are known
-    refusal : why no result follows from the last edit, in words
+    refusal : why no result follows from the last edit
     refused_since : why an estimate was refused that was asked for after the result
     stale : whether there was a result that an edit has dropped
-    storage : what is wrong with keeping the project, in words
+    storage : why no recovery copy of unsaved changes is written
     """
     if survey is not None:
         project = project.with_data_messages(survey.messages)
@@ -70,8 +70,8 @@ def warnings_of(
     return by_level(found)
 
 
-def _storage(storage: str) -> Iterator[Message]:
-    if storage:
+def _storage(storage: Message | None) -> Iterator[Message]:
+    if storage is not None:
         yield warning("project.storage", reason=storage, subject=DATA)
 
 
@@ -141,7 +141,7 @@ def _targets(project: Project, survey: Survey | None) -> Iterator[Message]:
         yield note("project.one_facing", subject=Cause.of_target(used[-1].name))
 
 
-def _refusal(refusal: str, stale: bool) -> Iterator[Message]:
+def _refusal(refusal: Message | str, stale: bool) -> Iterator[Message]:
     if refusal:
         yield warning("project.refused", reason=refusal, subject=ADJUST)
     elif stale:

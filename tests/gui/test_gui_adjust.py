@@ -290,7 +290,7 @@ def test_a_whole_line_and_a_project_opened_with_its_result(
     tick(driver, row, 4)
     settle(driver)
     assert angles(driver) == pytest.approx(estimated.result.boresight, abs=1e-10)
-    assert driver.window.actions_["undo"].text() == f"&Undo use of line {line}"
+    assert driver.window.actions_["undo"].text() == f"&Undo inclusion of line {line}"
 
 
 def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(

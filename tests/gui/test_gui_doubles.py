@@ -31,7 +31,7 @@ def test_a_surface_clicked_twice_is_told_of(opened: Driver) -> None:
     click(opened, window.adjust.estimate)
     settle(opened)
     assert "Targets have points in common: T2 with T3 (" in window.results.warnings.text()
-    assert "in doubt" in window.workflow.headers[2].sentence.text()
+    assert "with warnings" in window.workflow.headers[2].sentence.text()
     window.controller.use_target("T3", False)
     settle(opened)
     assert "points in common" not in window.results.warnings.text()

@@ -38,7 +38,7 @@ def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver
     window._select("T1", line)
     press(picked, Key.Key_L, SHIFT)
     assert view.mouse_mode == "outline"
-    assert f"take from T1 on {line}" in view.hint
+    assert f"remove them from T1 · {line}" in view.hint
     points = window.scene.selected_points[line]
     part = points[points[:, 0] > np.median(points[:, 0])]
     outline(picked, part)
@@ -48,14 +48,14 @@ def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver
     assert {k: v for k, v in after.items() if k != line} == {
         k: v for k, v in before.items() if k != line
     }
-    assert undo_text(picked) == f"Undo removal of {lost:,} points, T1 on {line}"
+    assert undo_text(picked) == f"Undo removal of {lost:,} points from T1 · {line}"
     press(picked, Key.Key_L)
-    assert "add to T1" in view.hint
+    assert "add them to T1" in view.hint
     outline(picked, points)
     assert sizes(picked, "T1")[line] >= 0.99 * before[line]
-    assert undo_text(picked).startswith("Undo adding")
+    assert undo_text(picked).startswith("Undo addition of")
     outline(picked, points + 500.0)
-    assert "no points of it there" in window.log.toPlainText()
+    assert "no points inside the outline" in window.log.toPlainText()
     press(picked, Key.Key_Escape)
     assert view.mouse_mode == "navigate"
     window.actions_["undo"].trigger()
@@ -102,7 +102,7 @@ def test_the_status_bar_forgets_what_it_said_of_a_project_that_has_changed(picke
     bar = picked.window.task_bar
     seed(picked, "T2")
     press(picked, Key.Key_Return)
-    assert bar.currentMessage() == "T3: 6 of 6 lines"
+    assert bar.currentMessage() == "T3: found in 6 of 6 lines"
     press(picked, Key.Key_Z, Control)
     settle(picked)
     assert bar.currentMessage() == ""
@@ -128,9 +128,9 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
         (lambda: control.rename("Board", "T1"), "rename of Board"),
         (role, "change of role of T1"),
         (role, "change of role of T1"),
-        (lambda: control.use_target("T1", False), "leaving out T1"),
-        (lambda: control.use_sighting("T2", line, False), f"leaving out T2 on {line}"),
-        (lambda: control.use_line(line, False), f"leaving out line {line}"),
+        (lambda: control.use_target("T1", False), "exclusion of T1"),
+        (lambda: control.use_sighting("T2", line, False), f"exclusion of T2 in {line}"),
+        (lambda: control.use_line(line, False), f"exclusion of line {line}"),
         (lambda: control.change_settings(settings), "change of the mounting"),
         (lambda: control.remove("V1"), "removal of V1"),
     ):
@@ -154,7 +154,7 @@ def test_roles_change_but_for_spheres(picked: Driver) -> None:
     window._select("V1", "")
     press(picked, Key.Key_F8)
     assert picked.project.target("V1").role == "target"
-    assert "V1 is a target now" in window.log.toPlainText()
+    assert "V1 is now a target." in window.log.toPlainText()
     ball = replace(picked.project.target("T1"), shape="sphere")
     window.document.edit("trial", picked.project.with_target(ball))
     window._select("T1", "")

@@ -98,7 +98,7 @@ def test_the_end_of_long_work_is_told_elsewhere(
     if ending == "cancelled":
         task.cancel.set()
     driver.rest()
-    expected = {"done": ["Working: done after"], "failed": ["Working: failed after"]}
+    expected = {"done": ["Working: completed after"], "failed": ["Working: failed after"]}
     assert [words.rpartition(" after")[0] + " after" for words in told] == expected.get(ending, [])
 
 

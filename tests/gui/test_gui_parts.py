@@ -138,7 +138,7 @@ def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_
     assert ended.wait(10)
     runner.cancel()
     qtbot.waitUntil(lambda: bool(told))
-    late = "Export: it was done before it could be cancelled"
+    late = "Export: completed before it could be cancelled"
     assert told == [late if lasting else "Export: cancelled"]
     assert got == ([written] if lasting else [])
     assert written.exists()
@@ -268,13 +268,13 @@ def test_many_points_are_counted_in_millions():
 def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):
     sound = status.steps(estimated, demo.survey)[2]
     assert sound.state == "done"
-    assert "doubt" not in sound.sentence
+    assert "warnings" not in sound.sentence
     size, sigma, moved = np.array([0.1]), np.array([0.004]), estimated.result.sigma * 9
     found = CandidateCause("lever_x", "", "", size, sigma, moved, 0.05, 600.0)
     result = replace(estimated.result, causes=((found,),))
     doubtful = status.steps(replace(estimated, result=result), demo.survey)[2]
     assert doubtful.state == "warning"
-    assert doubtful.sentence.startswith("done, in doubt")
+    assert doubtful.sentence.startswith("done, with warnings")
     assert "warnings on the right" in doubtful.advice
 
 

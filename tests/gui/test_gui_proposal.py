@@ -71,7 +71,7 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
     assert "roll 0." in sigmas
     names = [target.name for target in opened.project.targets]
     assert names == [row[0] for row in rows][1:]
-    assert opened.window.document.undo_stack.undoText() == "proposal"
+    assert opened.window.document.undo_stack.undoText() == "proposed targets"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
 

@@ -45,7 +45,7 @@ def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_c
     window = driver.window
     window.settings.add_recent(demo_copy)
     os.utime(demo_copy / FILE_NAME, (DAY, DAY))
-    for code, said in (("en", "Saved 2026-03-07 09:05, in"), ("fr", "07/03/2026 09:05, dans")):
+    for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         speak(code)
         try:
             window.stage.start.show_recent(window.settings.recent())

@@ -246,7 +246,7 @@ def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
     points = np.concatenate(list(window.scene.selected_points.values()))
     assert len(view.box.inside(points)) == len(points)
     assert not len(box.inside(points))
-    assert window.task_bar.currentMessage() == "The clip box hid T2; it lies about it now"
+    assert window.task_bar.currentMessage() == "The clip box hid T2 and was moved around it."
     window.cautioning.follow(Cause.of_line(picked.project.lines[1].name))
     sample = window.scene.clouds[picked.project.lines[1].name].sample[::50]
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
@@ -290,7 +290,7 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
         board - board.mean(axis=0), axis=1))])  # fmt: skip
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
     sketch = view.sketches["hover"]
-    assert re.fullmatch(rf"About 1\.[12] × 1\.[12] m on {sighting.line}", sketch.label)
+    assert re.fullmatch(rf"About 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
     outline = np.array(sketch.points)
     # It is the outline of what was picked by a click there.
     np.testing.assert_allclose(outline.min(axis=0), board.min(axis=0), atol=0.08)

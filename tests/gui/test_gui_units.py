@@ -17,7 +17,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui import units
 from lispac.gui.colouring import shading
 from lispac.gui.language import speak
-from lispac.gui.measuring import Measuring, distance_words
+from lispac.gui.measuring import Measuring, distance_text
 from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
 from lispac.gui.panels.fields import OptionalNumber
@@ -221,7 +221,7 @@ def test_every_typed_field_of_the_adjustment_says_its_unit(program: Session) -> 
 
 
 def test_measured_in_feet(imperial: None) -> None:
-    words = distance_words(np.zeros(3), np.array([3.0, 0.0, -4.0]))
+    words = distance_text(np.zeros(3), np.array([3.0, 0.0, -4.0]))
     assert words.split("\n")[0] == f"Slope distance {5 / FOOT:.3f} ft"
     assert words.split("\n")[2] == f"Vertical −{4 / FOOT:.3f} ft"
     assert words.endswith("°")  # an azimuth is one of the compass

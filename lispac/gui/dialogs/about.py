@@ -56,14 +56,14 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
 
 
 def keys_said(keys: str) -> str:
-    """Names of keys in the language of the user; a single letter is the label of a key."""
-    return keys if len(keys) == 1 else say(keys)
+    """Keys in the user's language; a letter is that on its key: W is not west."""
+    return keys if len(keys) == 1 else gettext(keys)
 
 
 def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
         f"<tr><td style='white-space: nowrap'><b>{keys_said(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
-        f"<td style='white-space: nowrap'>{say(action)}</td></tr>"
-        for keys, action in part[1]
+        f"<td style='white-space: nowrap'>{gettext(what)}</td></tr>"
+        for keys, what in part[1]
     )
-    return f"<h4>{say(part[0])}</h4><table cellspacing='3'>{rows}</table>"
+    return f"<h4>{gettext(part[0])}</h4><table cellspacing='3'>{rows}</table>"
