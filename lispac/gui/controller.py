@@ -16,6 +16,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.wishes import Wishes
+from lispac.message_texts import note_text
 from lispac.messages import error
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
@@ -143,7 +144,7 @@ class Controller(QObject):
             self._drop_candidate()  # it was sought in the lines there were
             self._document.edit(f"addition of {what}", edited, survey=survey)
             for note in survey.notes:
-                self.noted.emit(note)
+                self.noted.emit(note_text(note))
             self.noted.emit(f"Added {what} to {project.name}; save the project to keep them")
 
         self.based_on_project(self._runner.run(f"Adding {what}", work, done))
@@ -226,7 +227,7 @@ class Controller(QObject):
         if self._document.project is None:  # closed again: another window has it
             return
         for note in survey.notes:
-            self.noted.emit(note)
+            self.noted.emit(note_text(note))
         self.noted.emit(f"Opened {project.folder}")
 
     def _follow(self) -> None:

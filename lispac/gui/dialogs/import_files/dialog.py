@@ -38,6 +38,7 @@ from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
 from lispac.installed import expanded
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
+from lispac.messages import Action
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
 from lispac.workflow.sensors import library
 
@@ -294,8 +295,8 @@ class ImportDialog(QDialog):
 
     # -- what is asked -----------------------------------------------------------------------
 
-    def _mend(self, path: Path, remedy) -> None:
-        self.work.edit(self.intake.with_remedy(path, remedy))
+    def _mend(self, path: Path, action: Action) -> None:
+        self.work.edit(self.intake.with_action(path, action))
 
     def _remove(self) -> None:
         path = self.table.current

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say, say_all, say_message
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.workflow.intake import Intake
@@ -108,7 +108,7 @@ class FileTable(QTableWidget):
             item.setText(say(state))
             item.setForeground(QColor(colour))
             item.setIcon(words.state_icon(intake, entry))
-            tip = say("\n".join(remark.text for remark in intake.remarks(entry)) or state)
+            tip = "\n".join(map(say_message, intake.remarks(entry))) or say(state)
             item.setToolTip(widgets.plain_tip(tip))
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):

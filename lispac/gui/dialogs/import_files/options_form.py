@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say, say_sentences
+from lispac.gui.language import say, say_message, say_sentences
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.workflow.intake_entry import Entry
@@ -112,7 +112,9 @@ class OptionsForm(QWidget):
             self.system.setVisible(False)
             return
         self.system.setVisible(True)
-        self.system.setText(say(place.error or f"This is {place.system}."))
+        self.system.setText(
+            say_message(place.error) if place.error else say(f"This is {place.system}.")
+        )
         self.system.setProperty("role", "error" if place.error else "muted")
         self.system.style().polish(self.system)
 

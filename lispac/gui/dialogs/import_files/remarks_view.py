@@ -6,14 +6,15 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
-from lispac.workflow.intake_remarks import Remark, Remedy
+from lispac.message_texts import action_text, action_tip
+from lispac.messages import Action, Level, Message
 
 _MARKS = {
-    "error": ("close-octagon-outline", "error", "Error"),
-    "doubt": ("alert-outline", "warning", "Doubt"),
-    "note": ("information-outline", "muted", "Note"),
+    Level.ERROR: ("close-octagon-outline", "error", "Error"),
+    Level.WARNING: ("alert-outline", "warning", "Doubt"),
+    Level.NOTE: ("information-outline", "muted", "Note"),
 }
 TALLEST = 150
 
@@ -22,7 +23,7 @@ class RemarksView(QScrollArea):
     """As tall as its sentences, up to a point; beyond, it scrolls."""
 
     remedy_chosen = Signal(object, int)
-    """A `Remedy`, and which of the sentences it stands beside."""
+    """An `Action`, and the index of its message."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -31,7 +32,7 @@ class RemarksView(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self._shown: tuple[Remark, ...] | None = None
+        self._shown: tuple[Message, ...] | None = None
         self._body = QWidget()
         self._rows = QVBoxLayout(self._body)
         self._rows.setContentsMargins(0, 0, 4, 0)
@@ -41,7 +42,7 @@ class RemarksView(QScrollArea):
         self._body.setAutoFillBackground(False)
         self.buttons: list[widgets.Button] = []
 
-    def show_remarks(self, remarks: Sequence[Remark], fine: str) -> None:
+    def show_remarks(self, remarks: Sequence[Message], fine: str) -> None:
         """Show sentences, or ``fine`` where there are none."""
         if self._shown == tuple(remarks) and remarks:
             return
@@ -54,10 +55,11 @@ class RemarksView(QScrollArea):
                 row.deleteLater()
         if not remarks and fine:
             self._put(_row("check-circle-outline", "done", "OK", fine)[0])
-        for place, remark in enumerate(remarks):
-            row, layout = _row(*_MARKS[remark.level], remark.text)
-            for remedy in remark.remedies:
-                layout.addWidget(self._button(remedy, remark, place), 0, Qt.AlignmentFlag.AlignTop)
+        for place, message in enumerate(remarks):
+            row, layout = _row(*_MARKS[message.level], say_message(message))
+            for action in message.actions:
+                button = self._button(action, message, place)
+                layout.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
             self._put(row)
         self._rows.addStretch(1)
         self._fit()
@@ -69,11 +71,12 @@ class RemarksView(QScrollArea):
         # A layout shows what is added to it later on; until then it has no height.
         row.show()
 
-    def _button(self, remedy: Remedy, remark: Remark, place: int) -> widgets.Button:
-        made = widgets.button(remedy.words, f"remedy_{len(self.buttons)}", tip=remedy.tip)
+    def _button(self, action: Action, message: Message, place: int) -> widgets.Button:
+        name = f"remedy_{len(self.buttons)}"
+        made = widgets.button(action_text(action), name, tip=action_tip(action))
         made.setAutoDefault(False)
-        made.setAccessibleDescription(say(remark.text))
-        made.clicked.connect(lambda: self.remedy_chosen.emit(remedy, place))
+        made.setAccessibleDescription(say_message(message))
+        made.clicked.connect(lambda: self.remedy_chosen.emit(action, place))
         self.buttons.append(made)
         return made
 

@@ -1,5 +1,6 @@
 """How the lines lie on the trajectory in time, and what mends it where they do not."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -10,15 +11,15 @@ from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.dialogs.import_files.timeline import TimelineView
 from lispac.gui.language import say
 from lispac.gui.panels import widgets
+from lispac.messages import Action, Level, Message
 from lispac.workflow.intake import Intake
-from lispac.workflow.intake_remarks import Remark, Remedy
 
 
 class TimelinePage(QWidget):
     """The timeline, a sentence for each line that is not covered, and the longest gap bridged."""
 
     remedy_chosen = Signal(object, object)
-    """Path, and `Remedy`."""
+    """Path, and `Action`."""
     shift_all_asked = Signal()
     gap_changed = Signal(float)
     file_selected = Signal(object)
@@ -70,20 +71,18 @@ class TimelinePage(QWidget):
         self.gap.setValue(intake.longest_gap)
         self.gap.blockSignals(False)
         self.gap.setEnabled(intake.into is None)
-        told: list[tuple[Path, Remark]] = []
+        found: list[tuple[Path, Message]] = []
         for line in intake.lines:
-            for remark in intake.time_remarks(line):
-                named = Remark(
-                    remark.level, f"{intake.names[line.path]}: {remark.text}", remark.remedies
-                )
-                told.append((line.path, named))
-        told.sort(key=lambda pair: pair[1].level != "error")
-        self._owners = [path for path, _ in told]
+            for message in intake.time_remarks(line):
+                params = {**message.params, "file": intake.names[line.path]}
+                found.append((line.path, replace(message, params=params)))
+        found.sort(key=lambda pair: pair[1].level is not Level.ERROR)
+        self._owners = [path for path, _ in found]
         lines = len(intake.lines)
         what = "every line" if lines != 1 else "the line"
         fine = f"The trajectory covers {what}." if intake.track is not None and lines else ""
-        self.remarks.setVisible(bool(told or fine))
-        self.remarks.show_remarks([remark for _, remark in told], fine)
+        self.remarks.setVisible(bool(found or fine))
+        self.remarks.show_remarks([message for _, message in found], fine)
         self.lost.setText(say(_lost(intake)))
         offered = intake.shifts_offered
         self.all.setVisible(len(offered) > 1)
@@ -92,8 +91,8 @@ class TimelinePage(QWidget):
             words = f"Add {offered[0][1]:+,.3f} s to" if len(shifts) == 1 else "Shift"
             self.all.setText(say(f"{words} all {len(offered)} lines outside"))
 
-    def _remedy(self, remedy: Remedy, place: int) -> None:
-        self.remedy_chosen.emit(self._owners[place], remedy)
+    def _remedy(self, action: Action, place: int) -> None:
+        self.remedy_chosen.emit(self._owners[place], action)
 
 
 def _lost(intake: Intake) -> str:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QIcon
 from lispac.gui import theme
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
+from lispac.messages import Level
 from lispac.survey.time_base import KEYS, base_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake import Intake
@@ -68,7 +69,7 @@ def state(intake: Intake, entry: Entry) -> tuple[str, str]:
     now = intake.state(entry)
     remarks = intake.remarks(entry)
     if now == "doubt":
-        doubts = sum(remark.level == "doubt" for remark in remarks)
+        doubts = sum(remark.level is Level.WARNING for remark in remarks)
         return ("1 doubt" if doubts == 1 else f"{doubts} doubts"), theme.WARNING
     unknown = not entry.looks and not entry.pending
     return {

@@ -6,15 +6,19 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.errors import Cancelled
+from lispac.errors import Cancelled, LispacError
 from lispac.gui.dialogs.error import describe
 from lispac.gui.language import say
 from lispac.gui.tasks import TaskRunner
+from lispac.io.files import message_about
+from lispac.messages import Message, error
 from lispac.progress import Progress
+from lispac.survey.source import printable
 from lispac.workflow.intake import Intake, gathered, project_among
 from lispac.workflow.intake_entry import Entry, examined, examined_again, examined_as_given
 
-STOPPED = "Not looked into, as it was stopped; press Look again."
+STOPPED = "import.stopped"
+"""Code of the error of a file that was not examined, because the user stopped it."""
 
 
 class Work(QObject):
@@ -77,7 +81,7 @@ class Work(QObject):
         self._asked = {}
         self._done = 0
         entries = tuple(
-            replace(e, pending=False, error=STOPPED) if e.pending else e
+            replace(e, pending=False, error=_stopped(e)) if e.pending else e
             for e in self.intake.entries
         )
         self.intake = replace(self.intake, entries=entries)
@@ -86,12 +90,12 @@ class Work(QObject):
     @property
     def was_stopped(self) -> bool:
         """Whether some files were not looked into."""
-        return any(entry.error == STOPPED for entry in self.intake.entries)
+        return any(_was_stopped(entry) for entry in self.intake.entries)
 
     def look_again(self) -> None:
         """Look into the files that were passed over when it was stopped."""
         entries = tuple(
-            replace(e, pending=True) if e.error == STOPPED else e for e in self.intake.entries
+            replace(e, pending=True) if _was_stopped(e) else e for e in self.intake.entries
         )
         self.edit(replace(self.intake, entries=entries))
 
@@ -134,10 +138,8 @@ class Work(QObject):
                 return examined_again(entry, progress=progress)
             except Cancelled:
                 raise
-            except Exception as error:  # whatever one file does, the others are looked into
-                sentence, details = describe(error)
-                said = f"It cannot be looked into ({type(error).__name__}: {error})."
-                return replace(entry, pending=False, error=said if details else sentence)
+            except Exception as failure:  # whatever one file does, the others are examined
+                return replace(entry, pending=False, error=_not_examined(entry, failure))
 
         def done(found: Entry) -> None:
             if self._asked.get(entry.path) is not entry:
@@ -147,3 +149,22 @@ class Work(QObject):
             self.edit(self.intake.with_entry(found).sorted_out(found.path))
 
         self.runner.run(f"Looking into {entry.path.name}", work, done, key=str(entry.path))
+
+
+def _stopped(entry: Entry) -> Message:
+    return error(STOPPED, file=printable(entry.path.name))
+
+
+def _was_stopped(entry: Entry) -> bool:
+    return entry.error is not None and entry.error.code == STOPPED
+
+
+def _not_examined(entry: Entry, failure: Exception) -> Message:
+    """The error of a file that cannot be examined, whatever went wrong."""
+    if isinstance(failure, LispacError):
+        return message_about(failure, entry.path)
+    file, (sentence, details) = printable(entry.path.name), describe(failure)
+    if not details:
+        return error("file.refused", file=file, reason=sentence)
+    kind = type(failure).__name__
+    return error("import.not_examined", file=file, kind=kind, reason=str(failure))
