@@ -39,12 +39,12 @@ class Action:
     ----------
     code : str
         What is done: ``set_option``, ``exclude_line``, ``split_line``.
-    params : mapping of str to str
-        With what: name and value of an option, the name of a line.
+    params : mapping of str to Value
+        With what: name and value of an option, the name of a line, a shift in seconds.
     """
 
     code: str
-    params: Mapping[str, str] = field(default_factory=dict, hash=False)
+    params: Mapping[str, Value] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ def shortened(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
     return (*items[:MAX_LISTED], note("item.more", count=rest)) if rest > 0 else tuple(items)
 
 
-def plain_params(message: Message) -> dict[str, Any]:
+def plain_params(message: Message | Action) -> dict[str, Any]:
     """Parameters as JSON has them; messages among them with code and parameters."""
     return {name: _plain(value) for name, value in message.params.items()}
 

@@ -8,6 +8,7 @@ from pyproj import CRS
 
 from lispac.workflow.intake import Intake, gathered
 from lispac.workflow.intake_entry import Entry, examined, examined_again
+from tests.message_codes import codes, texts
 from tests.trajectory_files import vessel, write_records
 
 START = 486_000.0
@@ -66,4 +67,10 @@ def named(intake: Intake, name: str) -> Entry:
 
 
 def said(intake: Intake, name: str) -> str:
-    return " ".join(remark.text for remark in intake.remarks(named(intake, name)))
+    """Texts of the messages about a file."""
+    return texts(intake.remarks(named(intake, name)))
+
+
+def codes_about(intake: Intake, name: str) -> list[str]:
+    """Codes of the messages about a file."""
+    return codes(intake.remarks(named(intake, name)))

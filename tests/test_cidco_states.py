@@ -13,6 +13,7 @@ from lispac.io.formats import format_of, recognised
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 from tests import point_files
+from tests.message_codes import codes
 
 STATES, SIGMAS = format_of("cidco-states"), format_of("cidco-sigmas")
 LEVER, STORED = (-0.185596, 0.037658, 2.419063), (0.4395, -1.8681, 0.3992)
@@ -67,7 +68,7 @@ def test_it_is_said_what_is_taken_for_granted(files: dict[str, Path]) -> None:
         "cidco-states"
     ]
     found = STATES.look(files["states"], {})
-    assert "boresight does not depend on it" in found.doubts[0]
+    assert codes(found.doubts) == ["cidco.no_origin"]
     assert "north, west, up about 0 0 0" in found.assumptions[0]
     assert STATES.look(files["states"], {"origin": "46.8 -71.2 20"}).doubts == ()
     assert found.facts["Records"].startswith("983 states")

@@ -7,6 +7,7 @@ from pyproj import CRS
 
 from lispac.io.las_crs import StatedSystem, stated_system
 from lispac.io.las_crs_written import state_system
+from tests.message_codes import codes
 
 MODEL, CITATION, GEOGRAPHIC, PROJECTED, PROJECTED_CITATION = 1024, 1026, 2048, 3072, 3073
 PROJECTION, LINEAR_UNIT, VERTICAL, VERTICAL_UNIT = 3074, 3076, 4096, 4099
@@ -26,7 +27,7 @@ def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> Stat
     directory.geo_keys = sorted(keys, key=lambda key: key.id)
     ascii_texts.strings = [joined]
     header.vlrs.extend([directory, ascii_texts])
-    return stated_system(header)
+    return stated_system(header, "a.las")
 
 
 def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
@@ -35,28 +36,29 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
     assert stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
     found = stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
     assert (found.text, found.name) == ("", "none")
-    assert found.doubts == (
-        f"The header says metre, but {name} is in us-survey-foot: give the coordinate system that "
-        "the points are in.",
-    )
+    (doubt,) = found.doubts
+    assert doubt.code == "las.unit_contradicts_system"
+    assert doubt.params == {
+        "file": "a.las", "unit": "metre", "system": name, "system_unit": "us-survey-foot",
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("heights", "text", "doubts"),
+    ("heights", "text", "unknown"),
     [
         (0, "EPSG:32619", ()),
         (5030, "EPSG:32619", ()),  # above the ellipsoid of WGS 84
         (6647, "EPSG:32619+6647", ()),
         (32767, "EPSG:32619", ()),  # of the user's own
-        (1234, "EPSG:32619",
-         ("The header's code of heights, 1234, is not known: state them.",)),
-        (4326, "EPSG:32619",
-         ("The header's code of heights, 4326, is not known: state them.",)),
+        (1234, "EPSG:32619", ("1234",)),
+        (4326, "EPSG:32619", ("4326",)),
     ],
-)  # fmt: skip
-def test_heights_of_the_keys(heights: int, text: str, doubts: tuple[str, ...]) -> None:
+)
+def test_heights_of_the_keys(heights: int, text: str, unknown: tuple[str, ...]) -> None:
     found = stated(UTM | ({VERTICAL: heights} if heights else {}))
-    assert (found.text, found.doubts) == (text, doubts)
+    assert found.text == text
+    assert codes(found.doubts) == ["las.unknown_vertical"] * len(unknown)
+    assert tuple(each.params["code"] for each in found.doubts) == unknown
     assert found.name == CRS(text).name
 
 
@@ -75,9 +77,7 @@ def test_earth_centred_coordinates(code: int, text: str) -> None:
 def test_earth_centred_coordinates_of_another_datum_are_not_guessed(code: int) -> None:
     found = stated({MODEL: 3, GEOGRAPHIC: code})
     assert found.text == ""
-    assert found.doubts == (
-        "The header's coordinate system (without a name) has no known code: give it.",
-    )
+    assert codes(found.doubts) == ["las.system_not_named"]
 
 
 @pytest.mark.parametrize(
@@ -98,12 +98,13 @@ def test_a_name_without_a_code(name: str, code: int | None, projection: int | No
     found = stated(
         numbers | ({PROJECTION: projection} if projection else {}), {PROJECTED_CITATION: name}
     )
-    if code is None:
-        said = f"The header's coordinate system ({name}) has no known code: give it."
-    else:
-        said = f"The header gives no code but the name {name}, taken as EPSG:{code}: check it."
     assert found.text == ("" if code is None else f"EPSG:{code}")
-    assert found.doubts == (said,)
+    (doubt,) = found.doubts
+    assert doubt.params["name"] == name
+    if code is None:
+        assert doubt.code == "las.system_without_code"
+    else:
+        assert (doubt.code, doubt.params["system"]) == ("las.system_by_name", f"EPSG:{code}")
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,8 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
 from lispac.io.line_times import line_times
+from lispac.io.points import CHOOSE_FRAME
+from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.recovery import FARTHEST
@@ -18,7 +20,7 @@ from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import create_project, new_project
 from tests.error_codes import has_code
-from tests.intake_files import LEVER, START, fan, named, said, taken_in, write_line
+from tests.intake_files import LEVER, START, codes_about, fan, named, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"
@@ -96,18 +98,20 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     assert main(command) != 0
     assert "name no coordinate system. Give its EPSG code" in "".join(capsys.readouterr())
     assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
-    assert "names no coordinate system" not in "".join(capsys.readouterr())
+    assert "states no coordinate system" not in "".join(capsys.readouterr())
     intake = taken_in(Intake(), track, line)
-    assert "names no coordinate system" in said(intake, "utm.las")
+    assert "points.no_system" in codes_about(intake, "utm.las")
     intake = taken_in(intake.with_option(line, "crs", SYSTEM))
     assert intake.state(named(intake, "utm.las")) == "fine"
 
 
 def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
-    told = f"{SYSTEM} is stated for it, but its points are in the scanner frame"
     _, survey = made(tmp_path / "p", track, line, options(crs=SYSTEM))
-    assert f"near.las: {told}" in " ".join(survey.notes)
+    unused = warning(
+        "points.unused_system", file="near.las", system=SYSTEM, actions=(CHOOSE_FRAME,)
+    )
+    assert unused in survey.notes
     intake = taken_in(taken_in(Intake(), track, line).with_option(line, "crs", SYSTEM))
-    assert told in said(intake, "near.las")
+    assert unused in intake.remarks(named(intake, "near.las"))
     assert intake.state(named(intake, "near.las")) == "doubt"

@@ -8,6 +8,7 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, ecef_to_geodetic, geodetic_to_ecef
+from lispac.messages import note, warning
 from lispac.survey.crs import coordinate_system
 from lispac.survey.crs_area import meant_elsewhere
 from lispac.survey.crs_operation import realizations
@@ -17,7 +18,7 @@ from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, require_within_reach
 from lispac.survey.time_base import LEAP_SECONDS_NOW, Match, base_of, from_gps, plausible, to_gps
 from lispac.survey.time_quality import Coverage, left_out, short_of_trajectory
-from lispac.survey.time_stated import Known, following_words
+from lispac.survey.time_stated import Known, following_messages
 from lispac.survey.trajectory import LocalTrajectory
 from tests.error_codes import has_code
 
@@ -241,28 +242,26 @@ def test_shares_of_no_points_are_none() -> None:
 
 def test_accuracies_may_miss_two_seconds_at_either_end() -> None:
     track = np.array([10.0, 20.0, 30.0])
-    assert short_of_trajectory(np.array([12.0, 28.0]), track) == ""
-    said = (
-        ", not the whole trajectory (10.0 to 30.0 s); beyond, its first and last values are taken"
-    )
+    assert short_of_trajectory(np.array([12.0, 28.0]), track, "a") is None
     for first, last in ((12.1, 30.0), (10.0, 27.9)):
-        told = short_of_trajectory(np.array([first, last]), track)
-        assert told == f"it covers {first:.1f} to {last:.1f} s{said}"
+        assert short_of_trajectory(np.array([first, last]), track, "a") == warning(
+            "import.accuracy_too_short", file="a", first=first, last=last, start=10.0, end=30.0
+        )
 
 
 def test_leap_seconds_taken_for_granted_are_said() -> None:
     week, utc = base_of("gps-week"), base_of("utc-week")
     own, other = Known(utc, stated=True), Known(week)
     match = Match(((utc, week),), 18.0, 1.0)
-    told = (
-        f"+18.000 s are added to its times, from {utc.name} (stated) to the trajectory's "
-        f"{week.name} (as read from the file)"
-    )
-    assert following_words((match,), own, other) == told
+    follows = note(
+        "import.shift_follows", file="a", shift=18.0,
+        base=note("time_base.given", base=note("time_base.utc_week")),
+        trajectory_base=note("time_base.of_file", base=note("time_base.gps_week")),
+    )  # fmt: skip
+    assert following_messages((match,), own, other, "a") == (follows,)
     assumed = Match(((utc, week),), 18.0, 1.0, leap_assumed=True)
-    assert following_words((assumed,), own, other) == (
-        f"{told}, with the leap seconds of today, {LEAP_SECONDS_NOW} s, as neither tells the date"
-    )
+    leap = note("import.leap_seconds_assumed", file="a", leap=LEAP_SECONDS_NOW)
+    assert following_messages((assumed,), own, other, "a") == (follows, leap)
 
 
 def test_another_way_that_fits_as_well_is_said() -> None:
@@ -271,12 +270,15 @@ def test_another_way_that_fits_as_well_is_said() -> None:
     pair = ((day, base_of("gps-week")),)
     ways = tuple(Match(pair, 86400.0 * k + 18.0, share) for k, share in ((1, 1.0), (2, 0.998)))
     own, other = Known(day, stated=True), Known(pair[0][1])
-    said = following_words((*ways, Match(pair, 259218.0, 0.9)), own, other)
-    assert said.startswith("+86,418.000 s are added to its times, from ")
-    assert said.endswith("; +172,818.000 s would fit as well: make sure of the day")
+    found = following_messages((*ways, Match(pair, 259218.0, 0.9)), own, other, "a")
+    follows, rivals = found
+    assert follows.params["shift"] == 86_418.0
+    assert rivals.code == "import.other_shifts_fit"
+    assert rivals.params["shifts"] == (note("import.shift", shift=172_818.0),)
 
 
 def test_a_base_that_nothing_tells_is_not_known() -> None:
     week = base_of("gps-week")
-    assert Known().words == "not known"
-    assert Known(week, suggested=True).words == f"{week.name} (as its values suggest)"
+    assert Known().message == note("time_base.unknown")
+    suggested = note("time_base.suggested", base=note("time_base.gps_week"))
+    assert Known(week, suggested=True).message == suggested

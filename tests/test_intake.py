@@ -11,13 +11,26 @@ from lispac.io import line_times as times_module
 from lispac.io.formats import format_of
 from lispac.io.line_times import line_times
 from lispac.io.project_file import read_project
+from lispac.message_texts import message_text
+from lispac.messages import Action, Level, Message, note
 from lispac.project import LineSource, Settings
 from lispac.survey.trajectory import LONGEST_GAP
 from lispac.workflow.intake import Intake, project_among, proposed_folder
 from lispac.workflow.intake_entry import examined
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import load_survey
-from tests.intake_files import LEVER, START, fan, named, said, taken_in, write_line, write_survey
+from tests.intake_files import (
+    LEVER,
+    START,
+    codes_about,
+    fan,
+    named,
+    said,
+    taken_in,
+    write_line,
+    write_survey,
+)
+from tests.message_codes import texts
 from tests.trajectory_files import vessel, write_records
 
 
@@ -46,14 +59,14 @@ def test_files_of_a_folder_are_sorted_by_what_they_are(whole: Intake) -> None:
     assert whole.time_base.key == "gps-week"
     assert {whole.state(line) for line in whole.lines} == {"fine"}
     assert whole.state(named(whole, "letter.md")) == "out"
-    assert said(whole, "letter.md").startswith("The format of this file is not recognised")
+    assert codes_about(whole, "letter.md") == ["import.unknown_format"]
 
 
 def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: Intake) -> None:
     finding = named(whole, "pos.sbet").finding
     assert finding is not None
     assert any("pitch is positive" in text for text in finding.assumptions)
-    assert not set(finding.assumptions) & set(finding.doubts)
+    assert not set(finding.assumptions) & {message_text(each) for each in finding.doubts}
 
 
 def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None:
@@ -64,16 +77,16 @@ def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None
 
 
 def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
-    assert Intake().problem("x").startswith("Add the survey's files")
+    assert Intake().problem("x").startswith("Add the files of the survey")
     waiting = Intake().with_files([files / "L1.laz"])
-    assert waiting.problem("x") == "The files are being looked into."
+    assert waiting.problem("x") == "The files are being examined."
     line = taken_in(Intake(), files / "L1.laz")
-    assert "is the trajectory yet" in line.problem("x")
+    assert "The trajectory is missing" in line.problem("x")
     track = taken_in(Intake(), files / "pos.sbet")
-    assert "is a line yet" in track.problem("x")
+    assert "There is no line" in track.problem("x")
     (tmp_path / "project.json").write_text("{}")
     both = taken_in(line, files / "pos.sbet")
-    assert "already" in both.problem(str(tmp_path))
+    assert "already contains a project" in both.problem(str(tmp_path))
     assert "This is a file" in both.problem(str(files / "L1.laz"))
     assert both.problem(str(tmp_path / "new")) == ""
     assert proposed_folder(both) == files / "boresight"
@@ -84,9 +97,9 @@ def test_two_trajectories_are_one_too_many_until_one_is_left_out(
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
     intake = taken_in(whole, second)
-    assert "More than one file has the role trajectory" in intake.problem("x")
-    remedy = intake.remarks(named(intake, "second.sbet"))[0].remedies[0]
-    mended = intake.with_remedy(second, remedy)
+    assert "more than one file has the role of the trajectory" in intake.problem("x")
+    (leave_out,) = intake.remarks(named(intake, "second.sbet"))[0].actions
+    mended = intake.with_action(second, leave_out)
     assert mended.state(mended.entry(second)) == "out"
     assert mended.trajectory is not None
     assert mended.trajectory.path == files / "pos.sbet"
@@ -135,11 +148,11 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
     intake = taken_in(whole, late)
     remark = intake.remarks(intake.entry(late))[0]
-    assert remark.level == "error"
-    assert "GPS seconds of the day" in remark.text
-    assert remark.remedies[0].shift == pytest.approx(432_000)
+    assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
+    assert remark.params["points"] == note("time_base.gps_day")
+    assert remark.actions[0].params["shift"] == pytest.approx(432_000)
     assert [entry.path for entry, _ in intake.shifts_offered] == [late]
-    for mended in (intake.with_remedy(late, remark.remedies[0]), intake.with_shift_for_all()):
+    for mended in (intake.with_action(late, remark.actions[0]), intake.with_shift_for_all()):
         assert mended.files_problem() == ""
         assert mended.shifts_offered == ()
         covered = mended.coverage(mended.entry(late))
@@ -162,21 +175,26 @@ def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: Intake, tmp_path: 
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
     intake = taken_in(whole, late)
     first = intake.remarks(intake.entry(late))[0]
-    assert len({remedy.shift for remedy in first.remedies} - {None}) == 2
-    mended = intake.with_remedy(late, first.remedies[0])
+    assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
+    mended = intake.with_action(late, first.actions[0])
     assert mended.state(mended.entry(late)) == "doubt"
-    assert "would fit as well" in said(mended, "day.laz")
-    undo = mended.remarks(mended.entry(late))[0].remedies[-1]
-    assert mended.with_remedy(late, undo).state(intake.entry(late)) == "error"
+    rivals = mended.remarks(mended.entry(late))[0]
+    assert rivals.code == "import.other_bases_fit"
+    assert mended.with_action(late, rivals.actions[-1]).state(intake.entry(late)) == "error"
 
 
 def test_a_line_of_another_day_is_refused_with_the_distance(whole: Intake, tmp_path: Path) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
     intake = taken_in(whole, other)
     remark = intake.remarks(intake.entry(other))[0]
-    assert remark.level == "error"
-    assert "49,960 s after it ends" in remark.text
-    assert [remedy.words for remedy in remark.remedies] == ["Leave it out"]
+    assert (remark.level, remark.code) == (Level.ERROR, "import.after_trajectory")
+    assert remark.params["distance"] == pytest.approx(49_960, abs=0.5)
+    assert remark.actions == (Action("leave_out"),)
+
+
+def gaps_of(intake: Intake, name: str) -> list[Message]:
+    """Messages about the gaps of a trajectory."""
+    return [each for each in intake.remarks(named(intake, name)) if each.code == "trajectory.gaps"]
 
 
 def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
@@ -188,13 +206,12 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
     write_records(tmp_path / "gap.sbet", records)
     late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
     intake = taken_in(Intake(), tmp_path / "gap.sbet", files / "L2.las", late)
-    assert "of the points lie in a gap of the trajectory longer than 1.5 s" in said(
-        intake, "L2.las"
-    )
-    assert "before or after the trajectory" in said(intake, "late.laz")
-    assert "The trajectory has 1 gap longer than 1.5 s, the longest 2.0 s" in said(
-        intake, "gap.sbet"
-    )
+    in_gaps = intake.remarks(named(intake, "L2.las"))[0]
+    assert (in_gaps.code, in_gaps.params["limit"]) == ("import.points_in_gaps", 1.5)
+    assert "import.points_outside" in codes_about(intake, "late.laz")
+    (gaps,) = gaps_of(intake, "gap.sbet")
+    assert (gaps.params["count"], gaps.params["limit"]) == (1, 1.5)
+    assert gaps.params["longest"] == pytest.approx(2.0, abs=0.05)
     covered = intake.coverage(named(intake, "L2.las"))
     assert covered is not None
     assert covered.share_in_gaps == pytest.approx(0.2, abs=0.01)
@@ -203,25 +220,24 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings,
     )  # fmt: skip
-    notes = " ".join(survey.notes)
+    notes = texts(survey.notes)
     assert f"{3000 - len(survey.scans['L2']):,} points in a gap of the trajectory" in notes
     assert f"{3000 - len(survey.scans['late']):,} points outside the trajectory's time" in notes
 
-    remedy = intake.remarks(named(intake, "L2.las"))[0].remedies[0]
-    assert remedy.longest_gap is not None
-    assert remedy.longest_gap == pytest.approx(2.0, abs=0.11)
-    bridged = intake.with_remedy(files / "L2.las", remedy)
+    (bridge,) = in_gaps.actions
+    assert bridge.params["gap"] == pytest.approx(2.0, abs=0.11)
+    bridged = intake.with_action(files / "L2.las", bridge)
     assert bridged.state(named(bridged, "L2.las")) == "fine"
-    assert "gap" not in said(bridged, "gap.sbet")
-    shorter = said(replace(intake, longest_gap=0.5), "gap.sbet")
-    assert "1 gap longer than 0.5 s, the longest 2.0 s" in shorter
+    assert gaps_of(bridged, "gap.sbet") == []
+    (shorter,) = gaps_of(replace(intake, longest_gap=0.5), "gap.sbet")
+    assert (shorter.params["count"], shorter.params["limit"]) == (1, 0.5)
     request = bridged.request(tmp_path / "b", Settings(lever_arm=LEVER))
     project, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings,
     )  # fmt: skip
     assert len(survey.scans["L2"]) == 3000
-    assert read_project(project.folder).settings.longest_gap == remedy.longest_gap
+    assert read_project(project.folder).settings.longest_gap == bridge.params["gap"]
 
 
 def test_a_project_without_the_longest_gap_has_the_usual_one(files: Path, tmp_path: Path) -> None:

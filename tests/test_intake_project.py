@@ -6,10 +6,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.io.ascii_trajectory import use_degrees
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes
+from lispac.io.points import CHOOSE_SYSTEM, USE_FEET, base_doubts
 from lispac.io.registry import Finding
 from lispac.io.sight import sight
+from lispac.io.trajectory_facts import SWAP_COORDINATES, time_doubts
+from lispac.io.trajectory_preview import sign_assumed
+from lispac.language import LANGUAGES, in_language
+from lispac.message_texts import action_text, action_tip, message_text
+from lispac.messages import Action, Level, Message, note, warning
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.time_base import base_of
 from lispac.survey.time_stated import Known
@@ -18,10 +25,18 @@ from lispac.workflow import intake as intake_module
 from lispac.workflow.intake import Intake, folder_problem, proposed_folder
 from lispac.workflow.intake_columns import column_tokens, meanings, missing_columns
 from lispac.workflow.intake_entry import Entry, examined_again, examined_as_given
-from lispac.workflow.intake_remarks import Remedy, remarks_of
+from lispac.workflow.intake_remarks import option_to_choose, remarks_of
 from lispac.workflow.intake_times import fitting, line_base, trajectory_base
 from lispac.workflow.projects import new_project
-from tests.intake_files import LEVER, START, named, said, taken_in, write_line, write_survey
+from tests.intake_files import (
+    LEVER,
+    START,
+    codes_about,
+    named,
+    taken_in,
+    write_line,
+    write_survey,
+)
 from tests.trajectory_files import vessel, write_records
 
 
@@ -56,7 +71,7 @@ def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) 
     assert [entry.role for entry in intake.entries] == ["trajectory", "accuracy"]
     assert intake.track is not None
     assert intake.sigmas is not None
-    assert intake.files_problem() == "No file is a line yet: add the scan file of at least one."
+    assert intake.files_problem() == "There is no line. Add the scan file of at least one line."
     for entry in intake.entries:
         assert intake.without(entry.path).entries == intake.entries
         assert intake.with_role(entry.path, "points") is intake
@@ -71,9 +86,10 @@ def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) 
 def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, files: Path) -> None:
     intake = taken_in(opened(project), files / "L1.laz")
     (remark,) = intake.remarks(named(intake, "L1.laz"))
-    assert (remark.level, remark.text) == ("error", "This is the line L1 of the project already.")
-    assert "L1.laz: This is the line L1 of the project already." in intake.files_problem()
-    left = intake.with_remedy(files / "L1.laz", remark.remedies[0])
+    assert (remark.level, remark.code) == (Level.ERROR, "import.already_in_project")
+    assert remark.params == {"file": "L1.laz", "line": "L1"}
+    assert message_text(remark) in intake.files_problem()
+    left = intake.with_action(files / "L1.laz", remark.actions[0])
     assert left.state(left.entry(files / "L1.laz")) == "out"
 
 
@@ -89,14 +105,13 @@ def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
         for remark in (lambda i: i.remarks(named(i, "L1.laz")))(
             taken_in(Intake(), torn, files / "L1.laz")
         )
-        if remark.level == "doubt"
+        if remark.level is Level.WARNING
     )
-    assert [remedy.longest_gap for remedy in new.remedies] == [pytest.approx(3.1, abs=0.11)]
+    assert [action.params["gap"] for action in new.actions] == [pytest.approx(3.1, abs=0.11)]
     here = replace(project, trajectory=torn, lines=(), accuracy=None)
     intake = taken_in(opened(here), files / "L1.laz")
     remarks = intake.remarks(named(intake, "L1.laz"))
-    assert [remark.text for remark in remarks] == [new.text]
-    assert all(remedy.longest_gap is None for each in remarks for remedy in each.remedies)
+    assert remarks == (replace(new, actions=()),)
 
 
 def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path) -> None:
@@ -105,8 +120,9 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
     intake = taken_in(Intake(), torn, files / "L1.laz")
-    (doubt,) = (each for each in intake.remarks(named(intake, "L1.laz")) if each.level == "doubt")
-    assert not any(remedy.longest_gap for remedy in doubt.remedies)
+    found = intake.remarks(named(intake, "L1.laz"))
+    (doubt,) = (each for each in found if each.level is Level.WARNING)
+    assert doubt.actions == ()
 
 
 # -- single rules of the list ---------------------------------------------------------------------
@@ -136,16 +152,15 @@ def test_a_file_that_waits_says_nothing(files: Path) -> None:
 def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> None:
     intake = taken_in(Intake(), files / "L1.laz")
     assert intake.with_role(files / "L1.laz", "points") is intake
-    assert intake.with_remedy(files / "L1.laz", Remedy("Look at it", ask="crs")) is intake
+    assert intake.with_action(files / "L1.laz", CHOOSE_SYSTEM) is intake
 
 
 def test_two_accuracies_are_one_too_many(files: Path, tmp_path: Path) -> None:
     second = tmp_path / "second.out"
     second.write_bytes((files / "smrmsg.out").read_bytes())
     intake = taken_in(Intake(), files, second)
-    text = "More than one file has the role accuracy, and a project has one; leave the others out."
-    assert text in said(intake, "second.out")
-    assert intake.files_problem().endswith("(1 more file has errors.)")
+    assert "import.several_accuracies" in codes_about(intake, "second.out")
+    assert intake.files_problem().endswith("Another file has errors.")
 
 
 def test_a_folder_for_the_project_is_proposed_where_one_is_free(
@@ -164,7 +179,7 @@ def test_a_folder_for_the_project_is_proposed_where_one_is_free(
     assert proposed_folder(intake) == tmp_path / "boresight-2"
     monkeypatch.setattr(intake_module.os, "access", lambda *_: False)
     assert folder_problem(str(tmp_path / "x")) == (
-        f"{tmp_path} cannot be written; choose another folder."
+        f"{tmp_path}: cannot be written. Choose another folder."
     )
     assert proposed_folder(intake) is None
 
@@ -187,18 +202,13 @@ def test_columns_mean_what_their_kind_of_file_can_hold() -> None:
         ("time latitude longitude height roll pitch heading", ""),
         ("time easting northing sea_height roll pitch heading", ""),
         ("time latitude longitude roll pitch heading", "height"),
-        (
-            "time latitude height roll pitch",
-            "heading or latitude and longitude (or easting and northing)",
-        ),
-        (
-            "date easting roll",
-            "time, pitch, heading, latitude and longitude (or easting and northing) or height",
-        ),
+        ("time latitude height roll pitch", "heading position"),
+        ("date easting roll", "time pitch heading position height"),
     ],
 )
 def test_what_a_trajectory_cannot_do_without_is_named(tokens: str, said: str) -> None:
-    assert missing_columns(format_of("ascii-trajectory"), tokens.split()) == said
+    found = missing_columns(format_of("ascii-trajectory"), tokens.split())
+    assert found == tuple(note(f"column.{name}") for name in said.split())
 
 
 def test_what_is_not_settled_has_no_time_base() -> None:
@@ -227,62 +237,111 @@ def test_a_line_in_another_base_than_that_stated_is_sought_in_any() -> None:
 
 # -- remedies -------------------------------------------------------------------------------------
 
-EXCHANGED = "Latitude and longitude look exchanged: the course then follows the heading."
-RADIANS = (
-    "The first values of {} stay within a full circle of radians, so radians are taken; state "
-    "degrees if they are."
-)
-
 _RANGE = np.linspace(6_000.0, 6_650.0, 50)
-(FAR,) = (
-    doubt
-    for doubt in sight(np.column_stack([_RANGE, -_RANGE, 0 * _RANGE]), _RANGE, crs="").doubts
-    if "origin" in doubt
-)
-"""What is said of points too far for a scanner."""
+_NEAR = np.random.default_rng(5).normal(0, 10, (200, 3))
+_SECONDS = 5000 + np.arange(200) / 100
+
+
+def of_points(xyz: np.ndarray, crs: str = "") -> tuple[Message, ...]:
+    """Warnings about the coordinates of points."""
+    return sight(xyz, _SECONDS[: len(xyz)], file="a.dat", crs=crs).doubts
+
+
+_OPTION = [
+    ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES,)),
+     [("order", "longitude-latitude")]),
+    ("ascii-trajectory",
+     warning("trajectory.position_in_radians", file="a.dat", actions=(use_degrees("position"),)),
+     [("position", "degrees")]),
+    ("ascii-trajectory",
+     warning("trajectory.attitude_in_radians", file="a.dat", actions=(use_degrees("attitude"),)),
+     [("attitude", "degrees")]),
+    ("las", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
+     [("unit", "foot"), ("unit", "us-survey-foot")]),
+    ("text", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
+     [("unit", "foot"), ("unit", "us-survey-foot")]),
+    ("sbet", warning("trajectory.jumps", file="a.dat", speed=1.0, largest=90.0), []),
+]  # fmt: skip
+
+
+def entry_with(key: str, doubt: Message) -> Entry:
+    """A file in a format, with a warning of its reader."""
+    format = format_of(key)
+    radians = {a.params["name"]: "radians" for a in doubt.actions if a.code == "use_degrees"}
+    finding = Finding({}, choice=radians, doubts=(doubt,))
+    return Entry(Path("a.dat"), role=format.kind, format=format, finding=finding, pending=False)
+
+
+@pytest.mark.parametrize(("key", "doubt", "options"), _OPTION)
+def test_a_warning_has_the_options_that_its_format_takes(
+    key: str, doubt: Message, options: list[tuple[str, str]]
+) -> None:
+    entry = entry_with(key, doubt)
+    (shown,) = (each for each in remarks_of(entry, None, 1, 1, 1.5) if each.code == doubt.code)
+    assert shown == doubt
+    assert [(a.params["name"], a.params["value"]) for a in shown.actions] == options
+    assert all(action.params["name"] in entry.options for action in shown.actions)
+    for name, value in options:  # as they are already
+        set_already = replace(entry, stated={name: value})
+        (again,) = remarks_of(set_already, None, 1, 1, 1.5)
+        assert (name, value) not in [(a.params["name"], a.params["value"]) for a in again.actions]
 
 
 @pytest.mark.parametrize(
-    ("key", "doubt", "options", "asks"),
+    ("xyz", "crs", "code"),
     [
-        ("sbet", EXCHANGED, [("order", "longitude-latitude")], [""]),
-        ("ascii-trajectory", RADIANS.format("position"), [("position", "degrees")], [""]),
-        ("ascii-trajectory", RADIANS.format("attitude"), [("attitude", "degrees")], [""]),
-        ("las", "The points name no system: give its EPSG code.", [None], ["crs"]),
-        (
-            "las", "The resolution 0.0003048 comes from feet: check the unit.",
-            [("unit", "foot"), ("unit", "us-survey-foot")], ["", ""],
-        ),
-        (
-            "text", "The head of the file speaks of feet: check the unit.",
-            [("unit", "foot"), ("unit", "us-survey-foot")], ["", ""],
-        ),
-        ("las", "They lie far from zero; check the frame.", [None], ["frame"]),
-        ("las", FAR, [None], ["frame"]),
-        ("las", "They could be two: choose the time base.", [None], ["time_base"]),
-        ("sbet", "By their values alone they could also be of the day.", [None], ["time"]),
-        ("sbet", "The vessel jumps by 3 m.", [], []),
+        (np.column_stack([_RANGE, -_RANGE, 0 * _RANGE]), "", "points.far_from_origin"),
+        (_NEAR, "EPSG:32619", "points.small_coordinates"),
+        (_NEAR * 1000, "", "points.around_origin"),
+        (_NEAR + [600, 100, 0], "", "points.away_from_origin"),
+        (_NEAR * [1e-5, 1e-5, 1] + [7, 50, 0], "", "points.degrees"),
     ],
-)  # fmt: skip
-def test_a_doubt_has_the_remedies_that_its_format_takes(
-    key: str, doubt: str, options: list[tuple[str, str] | None], asks: list[str]
-) -> None:
-    format = format_of(key)
-    entry = Entry(
-        Path("a.dat"), role=format.kind, format=format, finding=Finding({}, doubts=(doubt,)),
-        pending=False,
+)
+def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, code: str) -> None:
+    """Whatever their words are: the button follows from the action alone."""
+    (doubt,) = (each for each in of_points(xyz, crs) if each.code == code)
+    (shown,) = (
+        each for each in remarks_of(entry_with("las", doubt), None, 1, 1, 1.5) if each.code == code
+    )
+    assert [(each.code, option_to_choose(each)) for each in shown.actions] == [
+        ("choose_frame", "frame")
+    ]
+    assert action_text(shown.actions[0]) == "Choose the frame"
+    # A trajectory has no such option.
+    (other,) = remarks_of(entry_with("sbet", doubt), None, 1, 1, 1.5)
+    assert other.actions == ()
+
+
+@pytest.mark.parametrize(
+    ("key", "doubt", "option"),
+    [
+        ("las", of_points(_NEAR + [350_000, 5e6, 0])[0], "crs"),
+        ("las", base_doubts(np.array([5e5]), "gps-adjusted", "a.dat")[0], "time_base"),
+        ("sbet", time_doubts(START + 1e9 + np.arange(9.0), "unix", "a.dat")[0], "time"),
+        ("ascii-trajectory", sign_assumed(Path("a.dat"), "pitch", "bow-up"), "pitch"),
+        ("ascii-trajectory", sign_assumed(Path("a.dat"), "roll", "port-down"), "roll"),
+    ],
+)
+def test_a_warning_leads_to_the_option_it_is_about(key: str, doubt: Message, option: str) -> None:
+    entry = entry_with(key, doubt)
+    (shown,) = (each for each in remarks_of(entry, None, 1, 1, 1.5) if each.code == doubt.code)
+    assert [option_to_choose(action) for action in shown.actions] == [option]
+    assert option in entry.options
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_actions_and_tips_are_told_in_every_language(language: str) -> None:
+    shift = Action(
+        "shift_times",
+        {
+            "shift": 18.0, "points": note("time_base.utc_week"),
+            "trajectory": note("time_base.gps_week"),
+        },
     )  # fmt: skip
-    (remark,) = (each for each in remarks_of(entry, None, 1, 1, 1.5) if each.text == doubt)
-    assert remark.level == "doubt"
-    assert [remedy.option for remedy in remark.remedies] == options
-    assert [remedy.ask for remedy in remark.remedies] == asks
-    for remedy in remark.remedies:  # each of them is an option of the format, or none would do
-        name = remedy.ask if remedy.option is None else remedy.option[0]
-        assert name in entry.options
-    other = replace(entry, stated={"order": "longitude-latitude"})
-    if doubt == EXCHANGED:
-        (remark,) = remarks_of(other, None, 1, 1, 1.5)
-        assert remark.remedies == ()  # exchanged already
+    with in_language(language):
+        assert "+18" in action_text(shift)
+        assert action_tip(shift)
+        assert action_tip(Action("leave_out")) == ""
 
 
 def test_of_a_long_file_it_is_said_that_the_rest_comes_later() -> None:
@@ -294,39 +353,36 @@ def test_of_a_long_file_it_is_said_that_the_rest_comes_later() -> None:
         Path("a.txt"), role="points", format=format_of("text"), finding=Finding({}),
         content=times, pending=False,
     )  # fmt: skip
-    (remark,) = remarks_of(entry, None, 1, 1, 1.5)
-    assert (remark.level, remark.text) == (
-        "note",
-        "The file is long: the first 1,500 times looked at stand for it here, the rest is checked "
-        "when the project is made.",
+    assert remarks_of(entry, None, 1, 1, 1.5) == (
+        note("import.first_times", file="a.txt", count=1500),
     )
 
 
 @pytest.mark.parametrize(
-    ("first", "level", "words"),
+    ("first", "level", "code"),
     [
         (0.0, None, ""),
-        (20.0, "doubt", "It covers 486,020.0 to 486,060.0 s, not the whole trajectory"),
-        (
-            900.0,
-            "error",
-            "Its times (486,900.0 to 486,940.0 s) do not meet those of the",
-        ),
+        (20.0, Level.WARNING, "import.accuracy_too_short"),
+        (900.0, Level.ERROR, "import.accuracy_times"),
     ],
 )
 def test_accuracies_are_held_against_the_trajectorys_times(
-    files: Path, tmp_path: Path, first: float, level: str | None, words: str
+    files: Path, tmp_path: Path, first: float, level: Level | None, code: str
 ) -> None:
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     rows[:, 0] = START + first + np.arange(41)
     path = write_records(tmp_path / "smrmsg.out", rows)
     alone = taken_in(Intake(), path)
-    assert words == "" or words not in said(alone, "smrmsg.out")
+    assert code not in codes_about(alone, "smrmsg.out")
     intake = taken_in(alone, files / "pos.sbet")
-    told = [each for each in intake.remarks(named(intake, "smrmsg.out")) if each.text[:3] == "Its"
-            or each.text.startswith("It covers")]  # fmt: skip
-    assert [each.level for each in told] == ([] if level is None else [level])
-    assert all(each.text.startswith(words) for each in told)
-    assert [remedy.role for each in told for remedy in each.remedies] == (
-        ["none"] if level == "error" else []
+    found = [
+        each for each in intake.remarks(named(intake, "smrmsg.out"))
+        if each.code.startswith("import.accuracy_")
+    ]  # fmt: skip
+    assert [(each.level, each.code) for each in found] == ([(level, code)] if level else [])
+    for each in found:
+        assert each.params["first"] == START + first
+        assert each.params["last"] == START + first + 40
+    assert [action.code for each in found for action in each.actions] == (
+        ["leave_out"] if level is Level.ERROR else []
     )

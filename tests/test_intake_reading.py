@@ -8,13 +8,24 @@ import pytest
 
 from lispac.io.sbet import read_sbet
 from lispac.language import LANGUAGES, in_language
+from lispac.messages import Level, note
 from lispac.project import Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.intake import Intake
+from lispac.workflow.intake_remarks import option_to_choose
 from lispac.workflow.projects import new_project
-from tests.intake_files import LEVER, START, fan, said, taken_in, write_line, write_survey
+from tests.intake_files import (
+    LEVER,
+    START,
+    codes_about,
+    fan,
+    said,
+    taken_in,
+    write_line,
+    write_survey,
+)
 from tests.trajectory_files import vessel, write_records
 
 
@@ -42,10 +53,15 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     text = write_unnamed(tmp_path / "one.txt")
     intake = taken_in(Intake(), files / "pos.sbet", text)
     assert intake.state(intake.entry(text)) == "error"
-    assert "No column is the time, x, y or z yet" in said(intake, "one.txt")
+    (missing,) = intake.remarks(intake.entry(text))
+    assert missing.code == "import.columns_not_chosen"
+    names = [note(f"column.{name}") for name in ("time", "x", "y", "z")]
+    assert list(missing.params["columns"]) == names  # type: ignore[arg-type]
     for column, meaning in enumerate(("y", "y", "z", "time")):
         intake = taken_in(intake.with_column(text, column, meaning))
-    assert "No column is the x yet" in said(intake, "one.txt")
+    assert tuple(intake.remarks(intake.entry(text))[0].params["columns"]) == (  # type: ignore[arg-type]
+        note("column.x"),
+    )
     assert intake.entry(text).columns == ("-", "y", "z", "time")
     intake = taken_in(intake.with_column(text, 0, "x"))
     assert intake.state(intake.entry(text)) == "fine", said(intake, "one.txt")
@@ -61,8 +77,9 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     assert after.entry(second).remembered
     assert after.entry(second).columns == ("x", "y", "z", "time")
     assert after.state(after.entry(second)) == "fine"
-    remedy = after.remarks(after.entry(second))[0].remedies[0]
-    anew = taken_in(after.with_remedy(second, remedy))
+    (action,) = after.remarks(after.entry(second))[0].actions
+    assert action.code == "detect_columns"
+    anew = taken_in(after.with_action(second, action))
     assert anew.state(anew.entry(second)) == "error"
 
 
@@ -89,7 +106,7 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
     order = ("latitude", "longitude", "height", "time", "roll", "pitch", "heading")
     for column, meaning in enumerate(order):
         intake = taken_in(intake.with_column(path, column, meaning))
-    assert intake.entry(path).error == ""
+    assert intake.entry(path).error is None
     assert intake.track is not None
     np.testing.assert_allclose(intake.track.time, records[:, 0])
 
@@ -105,9 +122,10 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     with in_language(language):
         intake = taken_in(Intake(), path)
     entry = intake.entry(path)
-    assert entry.error_code == "trajectory.no_system"
-    errors = [each for each in intake.remarks(entry) if each.level == "error"]
-    assert [each.remedies[0].ask for each in errors] == ["crs"]
+    assert entry.error is not None
+    assert entry.error.code == "trajectory.no_system"
+    errors = [each for each in intake.remarks(entry) if each.level is Level.ERROR]
+    assert [option_to_choose(each.actions[0]) for each in errors] == ["crs"]
 
 
 def test_a_line_on_the_map_needs_its_coordinate_system(
@@ -130,7 +148,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     bare = write_line(tmp_path / "bare.laz", times, points)
     intake = taken_in(whole, bare)
     remark = intake.remarks(intake.entry(bare))[0]
-    assert (remark.level, remark.remedies[0].ask) == ("error", "crs")
+    assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
     assert intake.coverage(intake.entry(bare)) is not None
     wrong = taken_in(intake.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in said(wrong, "bare.laz")
@@ -163,5 +181,5 @@ def test_an_accuracy_of_another_time_is_an_error(whole: Intake, files: Path, tmp
     other[:, 0] += 5000
     write_records(tmp_path / "other.out", other)
     intake = taken_in(whole.without(files / "smrmsg.out"), tmp_path / "other.out")
-    assert "do not meet those of the trajectory" in said(intake, "other.out")
+    assert "import.accuracy_times" in codes_about(intake, "other.out")
     assert replace(intake, entries=whole.entries).files_problem() == ""

@@ -7,14 +7,13 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.files import without_path, written_whole
+from lispac.io.files import message_about, written_whole
 from lispac.io.formats import format_of
 from lispac.io.las import read_scan, write_points
 from lispac.io.plane_file import read_plane_files, write_plane_file
 from lispac.io.project_file import read_project, write_project
 from lispac.io.registry import PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
-from lispac.language import in_language, is_translated
 from lispac.messages import error
 from lispac.survey.georeferencing import Mounting, Poses, place
 from lispac.survey.trajectory import TrajectoryAccuracy
@@ -332,12 +331,15 @@ def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:
     assert refused.value.code == "file.not_writable"
 
 
-def test_a_file_that_is_named_already_is_left_out_of_its_error(tmp_path: Path) -> None:
+def test_an_error_about_a_file_has_its_name_instead_of_its_path(tmp_path: Path) -> None:
     path = tmp_path / "none.sbet"
     with pytest.raises(InputError) as refused:
         read_sbet(path)
-    assert without_path(str(refused.value), path).startswith("This SBET file ")
-    with in_language("fr"):
-        french = without_path(str(refused.value), path)
-        assert french.startswith("Ce fichier ")
-        assert is_translated(french)
+    assert refused.value.message is not None
+    assert refused.value.message.params["file"] == str(path)
+    message = message_about(refused.value, path)
+    assert (message.code, message.params["file"]) == (refused.value.code, "none.sbet")
+    without = InputError(error("file.epoch", epoch="x"))
+    assert message_about(without, path) == without.message
+    named = message_about(InputError("A reason."), path)
+    assert named == error("file.refused", file="none.sbet", reason="A reason.")

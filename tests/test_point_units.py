@@ -6,6 +6,7 @@ import pytest
 
 from lispac.io.formats import format_of
 from lispac.io.points import system_of
+from tests.message_codes import codes
 
 TEXT = format_of("text")
 SURVEY_FOOT = 1200 / 3937
@@ -34,4 +35,4 @@ def test_names_state_units(
     system = system_of(settled)
     assert system is not None
     assert system.metres[2] == pytest.approx(height, rel=1e-12)
-    assert any("By the name of its column" in doubt for doubt in finding.doubts) == doubted
+    assert ("points.unit_of_column" in codes(finding.doubts)) == doubted

@@ -20,6 +20,7 @@ from lispac.messages import error
 from lispac.survey.screening import PointScreen, PointSelection
 from tests import point_files as files
 from tests.error_codes import has_code
+from tests.message_codes import codes
 
 FORMATS = {format_.key: format_ for format_ in POINTS}
 NAMES = list(files.VALID)
@@ -173,10 +174,10 @@ def test_time_of_32_bits(tmp_path: Path) -> None:
     doubled.gps_time = np.linspace(400_000, 400_001, 300).astype(np.float32)
     doubled.write(tmp_path / "b.las")
     doubts = FORMATS["las"].look(tmp_path / "b.las", {}).doubts
-    assert any("passed through 32 bits" in doubt for doubt in doubts)
+    assert "times.coarse" in codes(doubts)
 
 
-def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-4) -> str:
+def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-4) -> list[str]:
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = np.full(3, scale), np.floor(xyz.min(axis=0))
     if crs:
@@ -185,22 +186,20 @@ def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-
     las.x, las.y, las.z = xyz.T
     las.gps_time = np.linspace(400_000, 400_001, len(xyz))
     las.write(tmp_path / "a.las")
-    return " ".join(FORMATS["las"].look(tmp_path / "a.las", {}).doubts)
+    return codes(FORMATS["las"].look(tmp_path / "a.las", {}).doubts)
 
 
 def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
     near = np.random.default_rng(0).normal(0, 10, (500, 3))
-    assert doubts_of(tmp_path, near) == ""
-    assert doubts_of(tmp_path, near + [350_000, 5e6, 0], "EPSG:32619") == ""
-    on_map = doubts_of(tmp_path, near + [350_000, 5e6, 0])
-    assert "names no coordinate system" in on_map
-    assert "millimetres" not in on_map
-    assert "millimetres" in doubts_of(tmp_path, near * 60)  # millimetres or feet
-    assert "choose the scanner frame and that unit" in doubts_of(tmp_path, near * 1000)
-    assert "hardly the scanner" in doubts_of(tmp_path, near + [600, 100, 0])
-    assert "comes from feet" in doubts_of(tmp_path, near, scale=0.0003048)
-    assert "steps of 10 mm" in doubts_of(tmp_path, near, scale=0.01)
-    assert "degrees of longitude" in doubts_of(tmp_path, near * [1e-5, 1e-5, 1] + [7, 50, 0])
+    assert doubts_of(tmp_path, near) == []
+    assert doubts_of(tmp_path, near + [350_000, 5e6, 0], "EPSG:32619") == []
+    assert doubts_of(tmp_path, near + [350_000, 5e6, 0]) == ["points.no_system"]
+    assert doubts_of(tmp_path, near * 60) == ["points.far_from_origin"]  # millimetres or feet
+    assert "points.around_origin" in doubts_of(tmp_path, near * 1000)
+    assert "points.away_from_origin" in doubts_of(tmp_path, near + [600, 100, 0])
+    assert "points.resolution_in_feet" in doubts_of(tmp_path, near, scale=0.0003048)
+    assert "points.coarse_coordinates" in doubts_of(tmp_path, near, scale=0.01)
+    assert "points.degrees" in doubts_of(tmp_path, near * [1e-5, 1e-5, 1] + [7, 50, 0])
 
 
 def test_unknown_coordinate_system(tmp_path: Path) -> None:
@@ -218,7 +217,7 @@ def test_unknown_coordinate_system(tmp_path: Path) -> None:
     data.gps_time = np.linspace(0, 1, len(near))
     data.write(tmp_path / "b.las")
     doubts = las.look(tmp_path / "b.las", {}).doubts
-    assert any("WKT of the header is not a coordinate system" in doubt for doubt in doubts)
+    assert "las.unknown_wkt" in codes(doubts)
 
 
 def test_laz_that_claims_billions_of_chunks(tmp_path: Path, made: dict[str, Path]) -> None:

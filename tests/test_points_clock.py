@@ -13,7 +13,8 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project
-from tests.intake_files import LEVER, START, said, taken_in
+from tests.intake_files import LEVER, START, codes_about, taken_in
+from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
 
@@ -46,8 +47,8 @@ def test_the_reader_gives_seconds_of_the_day(times, tmp_path) -> None:
     assert text.sniff(path) > 0.5
     found = text.look(path, {})
     assert found.choice["columns"] == "time x y z"
-    assert "choose the time base" in " ".join(found.doubts)
-    assert "choose the time base" not in " ".join(text.look(path, {"time_base": "utc-day"}).doubts)
+    assert "times.clock_without_base" in codes(found.doubts)
+    assert codes(text.look(path, {"time_base": "utc-day"}).doubts) == []
     (chunk,) = text.read(path, dict(found.choice))
     assert chunk.time == pytest.approx(np.mod(times, DAY), abs=1e-6)
     assert chunk.xyz[3] == pytest.approx([3, 10.5, 3])
@@ -62,7 +63,9 @@ def test_a_project_takes_them(named, times, track, tmp_path, capsys) -> None:
         lines=[LineSource("L", tmp_path / "L.csv", named, Reading("", (), day))],
     )  # fmt: skip
     assert survey.scans["L"].time == pytest.approx(times, abs=1e-6)
-    assert "choose the time base" in said(taken_in(Intake(), track, tmp_path / "L.csv"), "L.csv")
+    assert "times.clock_without_base" in codes_about(
+        taken_in(Intake(), track, tmp_path / "L.csv"), "L.csv"
+    )
 
 
 def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:

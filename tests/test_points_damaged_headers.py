@@ -10,8 +10,9 @@ import pytest
 from lispac.errors import InputError
 from lispac.io import e57, pcd
 from lispac.io.point_formats import POINTS
-from lispac.messages import error
+from lispac.messages import error, warning
 from tests import point_files as files
+from tests.message_codes import codes
 
 FORMATS = {format_.key: format_ for format_ in POINTS}
 PCD = """VERSION 0.7
@@ -138,23 +139,22 @@ def test_doubts_about_what_is_stored_too_coarsely(tmp_path: Path) -> None:
     """A float of 32 bits near 20,000 has steps of 2 mm, near 5,000 s of 0.5 ms (IEEE 754)."""
     path = written(tmp_path, "ply", "property double x", "property float x")
     path.write_text(path.read_text().replace("4 5 6", "20000 5 6"))
-    assert any(
-        doubt == "Coordinates are stored with 32 bits, in steps of 2 mm at 20,000: the points are "
-        "no better than that; export with 64."
-        for doubt in FORMATS["ply"].look(path, {}).doubts
-    )
+    (coarse,) = (
+        each for each in FORMATS["ply"].look(path, {}).doubts
+        if each.code == "points.coordinates_32_bits"
+    )  # fmt: skip
+    assert coarse.params["step"] == 2.0**-9
+    assert coarse.params["largest"] == 20_000
     path = written(tmp_path, "ply", "property double time", "property float time")
-    assert not any("32 bits" in doubt for doubt in FORMATS["ply"].look(path, {}).doubts)
+    assert codes(FORMATS["ply"].look(path, {}).doubts) == []
     path.write_text(path.read_text().replace("6 11", "6 5000"))
-    assert any(
-        doubt.startswith("Times are stored with 32 bits, in steps of 0.00049 s")
-        for doubt in FORMATS["ply"].look(path, {}).doubts
-    )
+    expected = warning("times.coarse", file=path.name, step=2.0**-11)
+    assert expected in FORMATS["ply"].look(path, {}).doubts
     path = written(tmp_path, "ply", "property double time", "property int time")
     doubts = FORMATS["ply"].look(path, {}).doubts
-    assert "The time time is in whole numbers: state its unit." in doubts
+    assert "times.whole_numbers" in codes(doubts)
     doubts = FORMATS["ply"].look(path, {"time_unit": "millisecond"}).doubts
-    assert "The time time is in whole numbers: state its unit." not in doubts
+    assert "times.whole_numbers" not in codes(doubts)
 
 
 def compressed(folder: Path, count: int, packed: bytes, whole: int | None = None) -> Path:

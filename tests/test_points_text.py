@@ -15,9 +15,10 @@ from lispac.io.text_export import write_table
 from lispac.io.text_layout import Layout, layout_of
 from lispac.io.text_table import clock, coordinates_in, last_lines
 from lispac.io.text_units import height_unit_of, unit_doubts
-from lispac.messages import error
+from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files
+from tests.message_codes import codes
 
 TEXT = format_of("text")
 HEAD = "time x y z\n1 2 3 4\n"
@@ -117,14 +118,15 @@ def test_units_in_the_names_of_columns() -> None:
 def test_eastings_in_another_unit_than_the_systems(
     units: dict[str, str], crs: str, doubted: bool
 ) -> None:
-    doubts = unit_doubts(units, crs)
+    doubts = unit_doubts(units, crs, "a.txt")
     assert bool(doubts) == doubted
     if doubted:
-        assert doubts == (
-            f"By the name of its column x is in metres, but {coordinate_system(crs).name} is in US "
-            "survey foot: give the code of the same system in the unit of the file, or export in "
-            "that of the system.",
-        )
+        unit, system = note("unit.metres"), coordinate_system(crs)
+        expected = warning(
+            "points.unit_of_column", file="a.txt", unit=unit, system=system.name,
+            system_unit="US survey foot",
+        )  # fmt: skip
+        assert doubts == (expected,)
 
 
 NEAR = np.random.default_rng(4).normal(0, 10, (200, 3))
@@ -135,31 +137,24 @@ SECONDS = 5000 + np.arange(200) / 100
     ("time", "doubts"),
     [
         (SECONDS, ()),
-        (SECONDS.astype(np.float32),
-         ("Times are stored with 32 bits, in steps of 0.000488 s: export with 64.",)),
-        (SECONDS.astype(np.int64), ("Times are whole numbers: check their unit.",)),
-        (np.full(200, 5000.25),
-         ("All points looked at share one time: the file may hold no times.",)),
+        (SECONDS.astype(np.float32), (warning("times.coarse", file="a", step=2.0**-11),)),
+        (SECONDS.astype(np.int64), (warning("times.whole_numbers", file="a"),)),
+        (np.full(200, 5000.25), (warning("times.all_equal", file="a"),)),
         (SECONDS[::-1],
-         ("Times run backward 199 times in the first 200 points; points are taken in the order of "
-          "the file.",)),
+         (warning("times.decreasing_points", file="a", count=199, total=200),)),
     ],
 )  # fmt: skip
-def test_doubts_about_times(time: np.ndarray, doubts: tuple[str, ...]) -> None:
+def test_doubts_about_times(time: np.ndarray, doubts: tuple[Message, ...]) -> None:
     """Near 5,000 a float of 32 bits has steps of 2**-11."""
-    assert sight(NEAR, time, crs="").doubts == doubts
+    assert sight(NEAR, time, file="a", crs="").doubts == doubts
 
 
 @pytest.mark.parametrize(("crs", "doubted"), [("EPSG:4326", False), ("EPSG:999999", True)])
 def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
     """Degrees are small as a scanner's coordinates are; of an unknown system nothing is known."""
-    told = sight(NEAR, SECONDS, crs=crs)
-    assert told.frame == "georeferenced"
-    assert told.doubts == (
-        ("The file names a coordinate system, but its coordinates are small enough for the scanner "
-         "frame: check which it is.",)
-        if doubted else ()
-    )  # fmt: skip
+    found = sight(NEAR, SECONDS, file="a", crs=crs)
+    assert found.frame == "georeferenced"
+    assert codes(found.doubts) == (["points.small_coordinates"] if doubted else [])
 
 
 @pytest.mark.parametrize(

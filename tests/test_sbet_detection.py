@@ -8,7 +8,8 @@ from lispac.io.formats import format_of, recognised
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Finding
 from lispac.io.sbet_detection import blocks_of, detect_sbet
 from lispac.io.sbet_motion import in_frame
-from lispac.messages import error
+from lispac.messages import error, warning
+from tests.message_codes import codes
 from tests.trajectory_files import truth, vessel, write_records
 
 SBET = format_of("sbet")
@@ -18,8 +19,8 @@ def looked(path: Path) -> Finding:
     return SBET.look(path, {})
 
 
-def said(finding: Finding, words: str) -> bool:
-    return any(words in doubt for doubt in finding.doubts)
+def has(finding: Finding, code: str) -> bool:
+    return code in codes(finding.doubts)
 
 
 def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
@@ -52,7 +53,7 @@ def test_real_surveys_are_read_as_before(shared_data: Path) -> None:
         path = shared_data / name / "trajectory.sbet"
         finding = looked(path)
         assert finding.choice["axes"] == axes
-        assert not said(finding, "exchanged")
+        assert not has(finding, "trajectory.exchanged")
         trajectory = SBET.read(path, finding.choice)
         records = np.fromfile(path).reshape(-1, 17)
         np.testing.assert_array_equal(trajectory.latitude, records[:, 1])
@@ -85,7 +86,7 @@ def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
     finding = looked(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == axes
     assert finding.choice["heading"] == "minus-wander"
-    assert said(finding, "count from true north") == (not axes.startswith("wander"))
+    assert has(finding, "sbet.heading_uncertain") == (not axes.startswith("wander"))
 
 
 def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -> None:
@@ -101,7 +102,7 @@ def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -
 def test_frame_without_wander_angle_needs_no_choice(tmp_path: Path) -> None:
     finding = looked(write_records(tmp_path / "a.sbet", in_axes(vessel(), "nwu")))
     assert finding.choice["axes"] == "nwu"
-    assert not said(finding, "wander")
+    assert not any("wander" in code for code in codes(finding.doubts))
 
 
 def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
@@ -110,7 +111,7 @@ def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
     records[:, 3] = 10
     finding = looked(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
     assert finding.choice["axes"] in ("ned", "neu")
-    assert said(finding, "does not tell them apart")
+    assert has(finding, "sbet.several_axes")
 
 
 def test_straight_level_course_leaves_up_open_about_a_wander_angle_too(tmp_path: Path) -> None:
@@ -119,7 +120,8 @@ def test_straight_level_course_leaves_up_open_about_a_wander_angle_too(tmp_path:
     records[:, 3] = 10
     finding = looked(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
     assert finding.choice["axes"] in ("ned", "neu")
-    assert said(finding, "does not tell them apart. The platform heading is taken less the wander")
+    assert has(finding, "sbet.several_axes")
+    assert has(finding, "sbet.wander_assumed")
 
 
 def test_unknown_frame_is_said(tmp_path: Path) -> None:
@@ -127,7 +129,7 @@ def test_unknown_frame_is_said(tmp_path: Path) -> None:
     records[:, 4:6] = records[:, 4:6] @ np.array([[0.6, 0.8], [-0.8, 0.6]])
     finding = looked(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == "unknown"
-    assert said(finding, "no known frame")
+    assert has(finding, "sbet.velocities_disagree")
 
 
 def test_zero_velocities_are_said(tmp_path: Path) -> None:
@@ -135,8 +137,8 @@ def test_zero_velocities_are_said(tmp_path: Path) -> None:
     records[:, 4:7] = 0
     finding = looked(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == "unknown"
-    assert said(finding, "All velocities are zero")
-    assert said(finding, "less the wander angle, after Applanix")
+    assert has(finding, "sbet.zero_velocities")
+    assert has(finding, "sbet.wander_assumed")
 
 
 @pytest.mark.parametrize("roll", ["starboard-down", "port-down"])
@@ -151,7 +153,7 @@ def test_signs_are_found_by_the_rates(
     records[:, 8] *= 1 if pitch == "bow-up" else -1
     finding = looked(write_records(tmp_path / "a.sbet", records))
     assert (finding.choice["roll"], finding.choice["pitch"]) == (roll, pitch)
-    assert said(finding, "differ from Applanix") == ((roll, pitch) != ("starboard-down", "bow-up"))
+    assert has(finding, "sbet.other_signs") == ((roll, pitch) != ("starboard-down", "bow-up"))
     trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
     np.testing.assert_allclose(trajectory.attitude, truth(vessel())["attitude"])
 
@@ -179,7 +181,7 @@ def test_exchanged_positions_show_in_the_heading_without_velocities(tmp_path: Pa
     records = vessel()
     records[:, [1, 2]] = records[:, [2, 1]]
     records[:, 4:7] = 0
-    assert said(looked(write_records(tmp_path / "a.sbet", records)), "look exchanged")
+    assert has(looked(write_records(tmp_path / "a.sbet", records)), "trajectory.exchanged")
 
 
 def test_degrees_are_found_and_read(tmp_path: Path) -> None:
@@ -189,7 +191,7 @@ def test_degrees_are_found_and_read(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", records)
     finding = looked(path)
     assert finding.choice["unit"] == "degrees"
-    assert said(finding, "look like degrees")
+    assert has(finding, "sbet.degrees_assumed")
     trajectory = SBET.read(path, finding.choice)
     np.testing.assert_allclose(trajectory.latitude, vessel()[:, 1], rtol=1e-15)
     assert recognised(path, "trajectory")[0][0].key == "sbet"
@@ -200,7 +202,7 @@ def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
     assert recognised(path, "trajectory")[0] == (SBET, LIKELY)
     finding = looked(path)
     assert finding.choice["byte_order"] == "big-endian"
-    assert said(finding, "big-endian")
+    assert has(finding, "sbet.big_endian")
     np.testing.assert_array_equal(SBET.read(path, finding.choice).latitude, vessel()[:, 1])
 
 
@@ -264,7 +266,7 @@ def test_time_base_is_stated(tmp_path: Path, shift: float) -> None:
     finding = looked(path)
     trajectory = SBET.read(path, finding.choice)
     assert any(words.startswith("times are ") for words in trajectory.assumptions)
-    assert said(finding, "could also be") == (shift != 0.0)
+    assert has(finding, "times.several_bases") == (shift != 0.0)
 
 
 def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
@@ -280,9 +282,14 @@ def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
 def test_gap_and_backward_times_are_counted(tmp_path: Path) -> None:
     records = vessel()
     records[1000:, 0] += 30
-    assert said(looked(write_records(tmp_path / "a.sbet", records)), "1 gap longer than 1.5 s")
+    found = looked(write_records(tmp_path / "a.sbet", records)).doubts
+    (gaps,) = (each for each in found if each.code == "trajectory.gaps")
+    assert gaps.params["count"] == 1
+    assert gaps.params["limit"] == 1.5
     records[500, 0] = records[400, 0]
-    assert said(looked(write_records(tmp_path / "b.sbet", records)), "1 of 2,000 times run backw")
+    found = looked(write_records(tmp_path / "b.sbet", records)).doubts
+    (backward,) = (each for each in found if each.code == "times.decreasing")
+    assert (backward.params["count"], backward.params["total"]) == (1, 2000)
 
 
 def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
@@ -292,14 +299,14 @@ def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
     trajectory = SBET.read(path, {})
     np.testing.assert_allclose(np.diff(trajectory.time), 0.02, atol=1e-9)
     assert any("start again" in words for words in trajectory.assumptions)
-    assert not said(looked(path), "backward")
+    assert not has(looked(path), "times.decreasing")
 
 
 def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Path) -> None:
     records = vessel(200)
     records[7, 0] = np.nan
     finding = looked(write_records(tmp_path / "a.sbet", records))
-    assert "1 of the records looked at hold values that are not numbers." in finding.doubts
+    assert warning("sbet.not_finite", file="a.sbet", count=1) in finding.doubts
     assert finding.facts["Start"] == "486000.000 s"
     assert finding.facts["End"] == f"{486_000 + 199 / 50:.3f} s"
 
@@ -310,25 +317,18 @@ def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:
     records[:, 0] += 1e10
     finding = looked(write_records(tmp_path / "a.sbet", records))
     first, last = records[[0, -1], 0]
-    assert (
-        f"Times from {first:.6g} to {last:.6g} s fit no known time base; check which column or "
-        "record is the time."
-    ) in finding.doubts
+    expected = warning("trajectory.no_time_base", file="a.sbet", start=first, end=last)
+    assert expected in finding.doubts
 
 
 def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
     records = vessel(200)
     records[:, [1, 2]] = np.degrees(records[:, [1, 2]])
-    assert said(
-        looked(write_records(tmp_path / "a.sbet", records)),
-        "The heading stays below 6.3 and may be in radians although the positions are in degrees; "
-        "export the file in radians to be sure.",
-    )
+    finding = looked(write_records(tmp_path / "a.sbet", records))
+    assert has(finding, "sbet.heading_in_radians")
     records[:, 2] = -400.0
-    assert (
-        "Latitude and longitude reach 400 and can be neither radians nor degrees; choose the "
-        "format the file has."
-    ) in looked(write_records(tmp_path / "b.sbet", records)).doubts
+    not_angles = warning("sbet.not_angles", file="b.sbet", largest=400.0)
+    assert not_angles in looked(write_records(tmp_path / "b.sbet", records)).doubts
 
 
 def test_a_file_that_is_lost_while_it_is_looked_at(

@@ -27,6 +27,7 @@ from lispac.survey.time_base import (
 from lispac.survey.time_quality import Coverage, coverage, joined, time_quality
 from lispac.survey.time_restart import counted_on, restart_of
 from tests.error_codes import has_code
+from tests.message_codes import codes
 
 EPOCH = datetime(1980, 1, 6, tzinfo=UTC)
 
@@ -227,7 +228,7 @@ def test_lost_precision_is_found() -> None:
     quality = time_quality(through_32_bits(times(400_825, 20, 200)))
     assert quality.resolution == 1 / 32
     assert quality.duplicates > 3000
-    assert any("32-bit" in doubt for doubt in quality.doubts)
+    assert "times.coarse" in codes(quality.messages("a"))
     assert time_quality(through_32_bits(times(50_400.0, 20, 30))).resolution == 1 / 256
 
 
@@ -245,7 +246,7 @@ def test_lost_precision_is_found() -> None:
     ],
 )
 def test_sound_times_have_no_doubts(sound: np.ndarray) -> None:
-    assert time_quality(sound).doubts == ()
+    assert time_quality(sound).messages("a") == ()
 
 
 def test_disorder_is_counted() -> None:

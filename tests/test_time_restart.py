@@ -9,15 +9,17 @@ import pytest
 from lispac.cli.main import main
 from lispac.io.formats import format_of
 from lispac.io.line_times import line_times
+from lispac.messages import Message, note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY, WEEK
-from lispac.survey.time_restart import as_written, counted_on, restart_of, restart_words
+from lispac.survey.time_restart import as_written, counted_on, restart_message, restart_of
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import load_survey
-from tests.intake_files import LEVER, START, named, said, taken_in, write_line
+from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
+from tests.message_codes import texts
 from tests.trajectory_files import vessel, write_records
 
 
@@ -46,8 +48,10 @@ def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) 
     project, survey = made(tmp_path / "p", track, line)
     held = np.sort(survey.scans["L"].time)
     assert held == pytest.approx(period - 20 + np.linspace(2, 38, 3000))
-    assert f"counted on by {period:.0f} s" in " ".join(survey.notes)
-    assert "times restart at " in " ".join(survey.notes)
+    notes = [each for each in survey.notes if isinstance(each, Message)]
+    assert ("import.times_restart", period) in [
+        (each.code, each.params.get("period")) for each in notes
+    ]
     written = np.sort(laspy.read(line).gps_time)
     again = open_project(project.folder)
     assert len(load_survey(again).scans["L"]) == 3000
@@ -97,7 +101,7 @@ def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
     command += ["--lever-arm", "0", "0", "0"]
     assert main(command) != 0
     assert main([*command, "--line-option", "restart=week-end"]) == 0
-    assert "counted on by 604800 s" in "".join(capsys.readouterr())
+    assert "604,800 s are added to" in "".join(capsys.readouterr())
     assert load_survey(open_project(tmp_path / "p")).scans["later"].time.min() == WEEK + 1
 
 
@@ -123,14 +127,16 @@ def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
     intake = taken_in(Intake(), track, line)
     entry = named(intake, "L.las")
     assert intake.state(entry) == "fine"
-    assert "Times restart at the end of the week (after 604,799.9" in said(intake, "L.las")
+    (restart,) = (m for m in intake.remarks(entry) if m.code == "import.times_restart")
+    assert restart.params["place"] == note("rollover.week_end")
+    assert restart.params["last"] == pytest.approx(WEEK, abs=0.1)
     covered = intake.coverage(entry)
     assert covered is not None
     assert covered.outside == 0
     assert entry.content.end == pytest.approx(WEEK + 18)
-    remedy = next(r for remark in intake.remarks(entry) for r in remark.remedies if r.option)
-    back = taken_in(intake.with_remedy(line, remedy))
-    assert "outside" in said(back, "L.las") or "before or after" in said(back, "L.las")
+    (ignore,) = restart.actions
+    back = taken_in(intake.with_action(line, ignore))
+    assert "import.points_outside" in codes_about(back, "L.las")
 
 
 def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> None:
@@ -161,23 +167,33 @@ def test_other_steps_are_left_alone(times: np.ndarray) -> None:
     assert as_written(times, "none") is times
 
 
+MIDNIGHT = note("rollover.midnight")
+
+
 @pytest.mark.parametrize(
-    ("times", "restart", "said"),
+    ("times", "restart", "message"),
     [
         (
             [DAY - 2.5, DAY + 3.0], "midnight",
-            "times restart at midnight (after 86,397.500 s): counted on by 86400 s",
+            note("import.times_restart", file="a", place=MIDNIGHT, period=DAY, last=DAY - 2.5),
         ),
-        ([DAY - 2.5], "midnight", "times restart at midnight: counted on by 86400 s"),
         (
             [WEEK + 3.0], "week-end",
-            "times are those after the end of the week: counted on by 604800 s",
+            note(
+                "import.times_after_restart", file="a", place=note("rollover.week_end"),
+                period=WEEK,
+            ),
         ),
-        ([DAY], "midnight", "times are those after midnight: counted on by 86400 s"),
+        (
+            [DAY], "midnight",
+            note("import.times_after_restart", file="a", place=MIDNIGHT, period=DAY),
+        ),
     ],
 )  # fmt: skip
-def test_what_is_done_to_times_that_restart_is_said(times, restart: str, said: str) -> None:
-    assert restart_words(np.array(times), restart) == said
+def test_what_is_done_to_times_that_restart_is_said(
+    times: list[float], restart: str, message: Message
+) -> None:
+    assert restart_message(np.array(times), restart, "a") == message
 
 
 def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:
@@ -187,7 +203,7 @@ def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_pa
     assert "40.0 s" in told
     assert "-6047" not in told
     main(["look", str(line)])
-    assert "run backward" not in capsys.readouterr().out
+    assert "earlier than the one before" not in capsys.readouterr().out
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0
     told = "".join(capsys.readouterr())
@@ -199,6 +215,6 @@ def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Pa
     records = np.fromfile(track).reshape(-1, 17)
     write_records(track, records[np.argsort(records[:, 0])])
     _, survey = made(tmp_path / "p", track, line)
-    assert "import it again with --line-option restart=none" in " ".join(survey.notes)
+    assert "import it again with --line-option restart=none" in texts(survey.notes)
     _, survey = made(tmp_path / "q", track, line, Reading("", (("restart", "none"),)))
     assert len(survey.scans["L"]) > 2990

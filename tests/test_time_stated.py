@@ -7,16 +7,17 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError
-from lispac.messages import note
+from lispac.messages import Level, Message, note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import WEEK, Match, base_of
 from lispac.survey.time_stated import Known, contradiction, nowhere, offer
 from lispac.workflow.importing import import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
-from lispac.workflow.survey import load_survey
-from tests.command_errors import codes_of, command_error
-from tests.intake_files import LEVER, START, named, said, taken_in, write_line
+from lispac.workflow.survey import Survey, load_survey
+from tests.command_errors import command_error
+from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
+from tests.message_codes import texts
 from tests.trajectory_files import vessel, write_records
 
 UTC_WEEK = (("time_base", "utc-week"),)
@@ -40,6 +41,11 @@ def write_points(path: Path, added: float, first: float = 30.0, last: float = 60
     return path
 
 
+def messages_of(survey: Survey, code: str) -> list[Message]:
+    """Notes of a survey that are messages with a code."""
+    return [each for each in survey.notes if isinstance(each, Message) and each.code == code]
+
+
 def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading=Reading()):  # noqa: B008
     return new_project(
         folder, trajectory=track, lines=[LineSource("L", line, reading=reading)],
@@ -52,18 +58,21 @@ def test_a_line_stated_in_utc_comes_into_gps_time_though_it_lies_inside(track, t
     project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
     assert project.lines[0].reading.time_shift == pytest.approx(18)
-    notes = " ".join(survey.notes)
-    assert "utc.las: +18.000 s are added to its times" in notes
-    assert "UTC seconds of the week (stated)" in notes
-    assert "leap seconds of today, 18 s" in notes
-    assert not any(note.endswith("share one time base") for note in survey.notes)
+    (follows,) = messages_of(survey, "import.shift_follows")
+    assert (follows.params["file"], follows.params["shift"]) == ("utc.las", 18.0)
+    assert follows.params["base"] == note("time_base.given", base=note("time_base.utc_week"))
+    assert messages_of(survey, "import.leap_seconds_assumed")[0].params["leap"] == 18
+    notes = texts(survey.notes)
+    plain = [each for each in survey.notes if isinstance(each, str)]
+    assert not any(each.endswith("share one time base") for each in plain)
     assert "utc.las: times are shifted by +18.000 s" in notes
     again = load_survey(open_project(project.folder))
     assert again.scans["L"].time.min() == pytest.approx(START + 30)
     later = write_points(tmp_path / "later.las", -18, 65, 75)
     _, both = with_lines_added(project, [LineSource("M", later, reading=Reading("", UTC_WEEK))])
     assert both.scans["M"].time.min() == pytest.approx(START + 65)
-    assert "later.las: +18.000 s" in " ".join(both.notes)
+    (follows,) = messages_of(both, "import.shift_follows")
+    assert (follows.params["file"], follows.params["shift"]) == ("later.las", 18.0)
 
 
 def test_a_trajectory_stated_in_utc_takes_the_lines_along(tmp_path) -> None:
@@ -72,7 +81,8 @@ def test_a_trajectory_stated_in_utc_takes_the_lines_along(tmp_path) -> None:
     stated = Reading("", (("time", "utc-week"),))
     project, survey = made(tmp_path / "p", track, line, Reading(), stated)
     assert survey.scans["L"].time.min() == pytest.approx(START + 12)
-    assert "gps.las: -18.000 s are added to its times" in " ".join(survey.notes)
+    (follows,) = messages_of(survey, "import.shift_follows")
+    assert (follows.params["file"], follows.params["shift"]) == ("gps.las", -18.0)
     later = write_points(tmp_path / "later.las", 0, 65, 75)
     _, both = with_lines_added(project, [LineSource("M", later)])
     assert both.scans["M"].time.min() == pytest.approx(START + 47)
@@ -98,7 +108,7 @@ def test_equal_bases_need_no_shift(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
     project, survey = made(tmp_path / "p", track, line, Reading("", (("time_base", "gps-week"),)))
     assert project.lines[0].reading.time_shift == 0
-    assert "are added" not in " ".join(survey.notes)
+    assert messages_of(survey, "import.shift_follows") == []
 
 
 @pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
@@ -106,8 +116,8 @@ def test_what_the_times_cannot_be_is_refused(base: str, track, tmp_path) -> None
     line = write_points(tmp_path / "L.las", 0)
     with pytest.raises(InputError) as caught:
         made(tmp_path / "p", track, line, Reading("", (("time_base", base),)))
-    assert codes_of(caught.value) == ["import.time_base_refused", "time_base.not_possible"]
-    assert str(caught.value).startswith(f"{line}: Its times from 486,030.000 to 486,060.000 s ")
+    assert caught.value.code == "time_base.not_possible"
+    assert str(caught.value).startswith(f"{line}: times from 486,030.000 to 486,060.000 s ")
     assert "gps-week or utc-week" in str(caught.value)
     assert not (tmp_path / "p").exists()
 
@@ -131,18 +141,18 @@ def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 50_000)
     with pytest.raises(InputError) as raised:
         made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
-    assert codes_of(raised.value) == ["import.time_base_refused", "time_base.no_overlap"]
+    assert raised.value.code == "time_base.no_overlap"
 
 
 def test_times_that_fit_no_base_say_so() -> None:
     stated = Known(base_of("gps-week"), stated=True)
     times = np.array([5e12, 4e12])
-    refusal = contradiction(times, stated)
+    refusal = contradiction(times, stated, "a")
     assert refusal is not None
     assert refusal.code == "time_base.no_base_possible"
     assert (refusal.params["first"], refusal.params["last"]) == (4e12, 5e12)
-    assert contradiction(times, Known(base_of("gps-week"))) is None
-    assert contradiction(np.array([5.0]), stated) is None
+    assert contradiction(times, Known(base_of("gps-week")), "a") is None
+    assert contradiction(np.array([5.0]), stated, "a") is None
 
 
 def test_what_the_trajectory_could_count_instead_is_named() -> None:
@@ -150,17 +160,18 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
     times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
     other = Known(base_of("gps-day"))
     options = "--trajectory-option time=gps-week", "--trajectory-option time=utc-week"
-    refusal = nowhere(own, other, times, track)
+    refusal = nowhere(own, other, times, track, "a")
     assert refusal.code == "time_base.other_trajectory_base"
     assert refusal.params == {
+        "file": "a",
         "base": note("time_base.given", base=note("time_base.gps_adjusted")),
         "trajectory_base": note("time_base.of_file", base=note("time_base.gps_day")),
         "options": list(options),
     }  # fmt: skip
     # Some seconds behind its end: UTC is that much behind
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
-    assert nowhere(own, other, behind, track).params["options"] == [options[1]]
-    assert nowhere(own, Known(other.base, stated=True), times, track).code == (
+    assert nowhere(own, other, behind, track, "a").params["options"] == [options[1]]
+    assert nowhere(own, Known(other.base, stated=True), times, track, "a").code == (
         "time_base.no_overlap"
     )
 
@@ -182,21 +193,22 @@ def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
     path = tmp_path / "L.txt"
     np.savetxt(path, rows, fmt="%.6f", header="time x y z", comments="")
     _, survey = made(tmp_path / "p", track, path, Reading(), Reading("", (("time", "utc-week"),)))
-    assert "L.txt: the file does not say what its times count" in " ".join(survey.notes)
+    (assumed,) = messages_of(survey, "import.base_assumed")
+    assert assumed.params["file"] == "L.txt"
 
 
 def test_a_shift_that_brings_in_clearly_more_is_offered(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)  # 51.9 % before the trajectory
     project, survey = made(tmp_path / "p", track, line)
-    told = " ".join(survey.notes)
+    told = texts(survey.notes)
     assert "with +18.000 s added, 100.0 % of its points lie inside" in told
     assert "--time-shift 18" in told
     stored = import_lines(project)[0].stored
     assert "--time-shift 18" in " ".join(stored.assumptions)
     end = write_points(tmp_path / "end.las", 0, 70, 101)  # little more to be had
     _, survey = made(tmp_path / "q", track, end)
-    assert "are left out" in " ".join(survey.notes)
-    assert "--time-shift" not in " ".join(survey.notes)
+    assert "are left out" in texts(survey.notes)
+    assert "--time-shift" not in texts(survey.notes)
 
 
 # -- in the import dialogue ----------------------------------------------------------------------
@@ -208,7 +220,7 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
     assert named(before, "utc.las").shift == 0
     intake = taken_in(before.with_option(line, "time_base", "utc-week"))
     assert named(intake, "utc.las").shift == pytest.approx(18)
-    assert "+18.000 s are added to its times, from UTC" in said(intake, "utc.las")
+    assert "import.shift_follows" in codes_about(intake, "utc.las")
     assert intake.state(named(intake, "utc.las")) == "fine"
     request = intake.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
@@ -216,8 +228,8 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
         settings=request.settings, trajectory_reading=request.trajectory_reading,
     )  # fmt: skip
     assert survey.scans["utc"].time.min() == pytest.approx(START + 30)
-    note = next(r for r in intake.remarks(named(intake, "utc.las")) if r.remedies)
-    back = taken_in(intake.with_remedy(line, note.remedies[0]))
+    follows = next(each for each in intake.remarks(named(intake, "utc.las")) if each.actions)
+    back = taken_in(intake.with_action(line, follows.actions[0]))
     assert named(back, "utc.las").shift == 0
 
 
@@ -237,18 +249,19 @@ def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_pat
     intake = taken_in(taken_in(Intake(), track, line).with_option(line, "time_base", base))
     assert "cannot be" in intake.files_problem()
     error = intake.remarks(named(intake, "L.las"))[0]
-    assert error.level == "error"
+    assert error.level is Level.ERROR
     assert named(intake, "L.las").shift == 0
-    assert taken_in(intake.with_remedy(line, error.remedies[0])).files_problem() == ""
+    assert taken_in(intake.with_action(line, error.actions[0])).files_problem() == ""
 
 
 def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
     intake = taken_in(Intake(), track, line)
-    remark = intake.time_remarks(named(intake, "early.las"))[0]
-    assert remark.level == "doubt"
-    assert "With +18.000 s added, 100.0 % lie inside" in remark.text
-    assert remark.remedies[0].shift == pytest.approx(18)
+    outside, offered = intake.time_remarks(named(intake, "early.las"))
+    assert outside.code == "import.points_outside"
+    assert offered.code == "import.shift_offered"
+    assert (offered.params["shift"], offered.params["share"]) == (pytest.approx(18), 1.0)
+    assert offered.actions[0].params["shift"] == pytest.approx(18)
     assert [shift for _, shift in intake.shifts_offered] == [pytest.approx(18)]
     mended = intake.with_shift_for_all()
     assert mended.shifts_offered == ()
@@ -265,7 +278,8 @@ def test_beside_a_line_that_is_stated_the_others_stay_as_they_are(track, tmp_pat
     )
     assert [line.reading.time_shift for line in project.lines] == [pytest.approx(18.0), 0.0]
     assert survey.scans["own"].time.min() == pytest.approx(START + 30)
-    assert not any(note.startswith("own.las: ") and "added" in note for note in survey.notes)
+    shifted = [each.params["file"] for each in messages_of(survey, "import.shift_follows")]
+    assert shifted == ["utc.las"]
 
 
 def test_a_typed_shift_holds_where_the_bases_lead_nowhere(track, tmp_path) -> None:
@@ -284,4 +298,4 @@ def test_of_a_typed_shift_it_is_not_said_that_the_base_is_not_told(tmp_path) -> 
     stated = Reading("", (("time", "utc-week"),))
     _, survey = made(tmp_path / "p", track, path, Reading("", (), -18.0), stated)
     assert survey.scans["L"].time.min() == pytest.approx(START + 12)
-    assert "does not say what its times count" not in " ".join(survey.notes)
+    assert messages_of(survey, "import.base_assumed") == []

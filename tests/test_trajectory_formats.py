@@ -10,7 +10,9 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of, forma
 from lispac.io.registry import LIKELY, SURE
 from lispac.io.sbet import write_smrmsg
 from lispac.io.text_table import clock, day, degrees_minutes_seconds
+from lispac.messages import warning
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from tests.message_codes import codes
 from tests.trajectory_files import (
     SIGMAS,
     truth,
@@ -31,10 +33,6 @@ def agrees(trajectory: Trajectory, records: np.ndarray, *, place: float = 2e-11)
     np.testing.assert_allclose(trajectory.height, right["height"], rtol=0, atol=1e-4)
     turned = trajectory.attitude - right["attitude"]
     np.testing.assert_allclose(np.remainder(turned + np.pi, 2 * np.pi) - np.pi, 0, atol=2e-7)
-
-
-def said(doubts: tuple[str, ...], words: str) -> bool:
-    return any(words in doubt for doubt in doubts)
 
 
 def test_list_is_consistent() -> None:
@@ -95,8 +93,8 @@ def test_delph_export(tmp_path: Path) -> None:
     finding = EXAIL.look(path, {})
     assert finding.choice == {"pitch": "bow-down", "roll": "starboard-down", "time": "unix"}
     assert finding.facts["Header"] == "DELPH INS Navigation export"
-    assert said(finding.doubts, "does not say the sign of pitch")
-    assert said(finding.doubts, "UTC is taken")
+    assert "trajectory.pitch_bow_down" in codes(finding.doubts)
+    assert "times.utc_assumed" in codes(finding.doubts)
     trajectory = EXAIL.read(path, finding.choice)
     agrees(trajectory, records)
     start = calendar.timegm((2023, 6, 27, 14, 0, 0))
@@ -131,7 +129,7 @@ def test_delph_units_and_signs_come_from_the_header(tmp_path: Path) -> None:
     (tmp_path / "nav.txt").write_text(text)
     finding = EXAIL.look(tmp_path / "nav.txt", {})
     assert finding.choice["pitch"] == "bow-up"
-    assert said(finding.doubts, "no unit for roll")
+    assert warning("trajectory.degrees_assumed", file="nav.txt", column="roll") in finding.doubts
     trajectory = EXAIL.read(tmp_path / "nav.txt", finding.choice)
     right = truth(records)["attitude"][:, 1]
     np.testing.assert_allclose(trajectory.attitude[:, 1], -right, atol=2e-7)
@@ -180,7 +178,7 @@ def test_pospac_units_come_from_the_header(tmp_path: Path) -> None:
     assert refused.value.code == "trajectory.pospac_notation"
     without = "\n".join(line for line in text.splitlines() if "(time in" not in line)
     (tmp_path / "a.txt").write_text(without)
-    assert said(POSPAC.look(tmp_path / "a.txt", {}).doubts, "no unit for latitude")
+    assert "trajectory.degrees_assumed" in codes(POSPAC.look(tmp_path / "a.txt", {}).doubts)
 
 
 def table(records: np.ndarray, factor: float = 180 / np.pi) -> np.ndarray:
@@ -206,7 +204,7 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     assert sureness == (LIKELY if header else 0.3)
     finding = ASCII.look(path, {})
     assert finding.choice["columns"] == "time latitude longitude height roll pitch heading"
-    assert said(finding.doubts, "No row names the columns") == (not header)
+    assert ("trajectory.columns_assumed" in codes(finding.doubts)) == (not header)
     trajectory = ASCII.read(path, finding.choice)
     agrees(trajectory, records)
     assert any("text with the columns time latitude" in words for words in trajectory.assumptions)
@@ -240,7 +238,7 @@ def test_radians_are_found(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(100), 1.0), "%.14f")
     finding = ASCII.look(tmp_path / "a.txt", {})
     assert (finding.choice["position"], finding.choice["attitude"]) == ("radians", "radians")
-    assert said(finding.doubts, "radians are taken")
+    assert "trajectory.position_in_radians" in codes(finding.doubts)
     agrees(ASCII.read(tmp_path / "a.txt", finding.choice), vessel(100))
 
 
@@ -322,13 +320,13 @@ def test_heights_above_the_sea_are_said(tmp_path: Path) -> None:
 
 def test_exchanged_columns_show_in_the_course(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(2000))[:, [0, 2, 1, 3, 4, 5, 6]], "%.12f")
-    assert said(ASCII.look(tmp_path / "a.txt", {}).doubts, "look exchanged")
+    assert "trajectory.exchanged" in codes(ASCII.look(tmp_path / "a.txt", {}).doubts)
 
 
 def test_preview_of_a_long_file_reads_head_and_tail(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(5200)), "%.12f")
     finding = ASCII.look(tmp_path / "a.txt", {})
-    assert not said(finding.doubts, "last rows")
+    assert "trajectory.last_rows" not in codes(finding.doubts)
     assert finding.facts["End"] == f"{vessel(5200)[-1, 0]:.3f} s"
     records = vessel(12_000, rate=200)
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
@@ -336,7 +334,7 @@ def test_preview_of_a_long_file_reads_head_and_tail(tmp_path: Path) -> None:
     assert finding.facts["End"] == f"{records[-1, 0]:.3f} s"
     rows = int(finding.facts["Rows"].removeprefix("about ").replace(",", ""))
     assert rows == pytest.approx(12_000, rel=0.05)
-    assert not said(finding.doubts, "gap")
+    assert "trajectory.gaps" not in codes(finding.doubts)
 
 
 @pytest.mark.parametrize(

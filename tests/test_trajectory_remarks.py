@@ -11,8 +11,9 @@ from lispac.io.formats import format_of
 from lispac.io.trajectory_checks import require_attitude
 from lispac.io.trajectory_facts import time_doubts
 from lispac.io.trajectory_preview import accuracy_facts
-from lispac.messages import error
+from lispac.messages import error, warning
 from lispac.survey.trajectory import TrajectoryAccuracy
+from tests.message_codes import codes
 from tests.test_trajectory_bad_input import edited, error_of, field, good
 from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
 
@@ -101,13 +102,13 @@ def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
 
 def test_times_against_the_base_that_is_stated() -> None:
     time = 486_000 + np.arange(200) / 50
-    assert time_doubts(time, "gps-week") == ()
-    assert time_doubts(time, "utc-day")[0].startswith(
-        "The times cannot be utc-day; by their values they are GPS seconds of the week or "
-    )
-    assert time_doubts(time + 1e10, "gps-week") == (
-        f"Times from {time[0] + 1e10:.6g} to {time[-1] + 1e10:.6g} s fit no known time base; check "
-        "which column or record is the time.",
+    assert time_doubts(time, "gps-week", "a") == ()
+    (other,) = time_doubts(time, "utc-day", "a")
+    assert (other.code, other.params["base"]) == ("trajectory.other_time_base", "utc-day")
+    assert "gps-week" in other.params["bases"]  # type: ignore[operator]
+    start, end = time[0] + 1e10, time[-1] + 1e10
+    assert time_doubts(time + 1e10, "gps-week", "a") == (
+        warning("trajectory.no_time_base", file="a", start=start, end=end),
     )
 
 
@@ -116,29 +117,31 @@ def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
     records = vessel()
     assert not SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
     records[:, 9] += np.radians(80)
-    assert (
-        "Heading and course over ground differ by 82 deg in the middle; check the heading, its "
-        "unit and its sense."
-    ) in SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
+    (doubt,) = SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
+    assert doubt.code == "trajectory.heading_differs"
+    assert doubt.params["difference"] == pytest.approx(np.radians(82), abs=np.radians(0.5))
 
 
 @pytest.mark.parametrize(
     ("position", "attitude_deg", "doubts"),
     [
-        (0.02, 0.01, ()),
-        (0.0, 0.01, ("Standard deviations are all zero; the file holds no accuracy.",)),
-        (0.02, 0.0, ("Standard deviations are all zero; the file holds no accuracy.",)),
-        (0.02, 2.0, ("Standard deviations are large (in the middle 0.02 m and 2 deg); check their "
-                     "unit.",)),
-        (200.0, 0.01, ("Standard deviations are large (in the middle 200 m and 0.01 deg); check "
-                       "their unit.",)),
+        (0.02, 0.01, []),
+        (0.0, 0.01, ["accuracy.all_zero"]),
+        (0.02, 0.0, ["accuracy.all_zero"]),
+        (0.02, 2.0, ["accuracy.large"]),
+        (200.0, 0.01, ["accuracy.large"]),
     ],
-)  # fmt: skip
+)
 def test_standard_deviations_that_are_doubted(
-    position: float, attitude_deg: float, doubts: tuple[str, ...]
+    position: float, attitude_deg: float, doubts: list[str]
 ) -> None:
     sigmas = np.full((5, 3), position), np.full((5, 3), np.radians(attitude_deg))
-    assert accuracy_facts(TrajectoryAccuracy(np.arange(5.0), *sigmas))[1] == doubts
+    found = accuracy_facts(TrajectoryAccuracy(np.arange(5.0), *sigmas), "a")[1]
+    assert codes(found) == doubts
+    for each in found:
+        if each.code == "accuracy.large":
+            assert each.params["position"] == position
+            assert each.params["attitude"] == pytest.approx(np.radians(attitude_deg))
 
 
 def test_remarks_at_the_end_of_text_are_no_rows(

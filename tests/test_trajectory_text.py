@@ -7,8 +7,10 @@ import pytest
 
 from lispac.io.formats import format_of, recognised
 from lispac.io.text_table import fields_of
+from lispac.messages import Level
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import examined
+from lispac.workflow.intake_remarks import option_to_choose
 from tests.trajectory_files import vessel, write_pospac
 
 ASCII, POSPAC = format_of("ascii-trajectory"), format_of("pospac-text")
@@ -37,7 +39,7 @@ def test_decimal_commas(tmp_path: Path, separator: str) -> None:
     assert recognised(path, "trajectory")[0][0] is ASCII
     same(path, records)
     entry = examined(path)
-    assert (entry.role, entry.error) == ("trajectory", "")
+    assert (entry.role, entry.error) == ("trajectory", None)
 
 
 @pytest.mark.parametrize(("separator", "sign"), [(",", "."), (",", ","), (";", ","), ("\t", ".")])
@@ -94,8 +96,8 @@ def test_what_keeps_a_trajectory_out_is_said_once_without_its_path(tmp_path: Pat
     path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
     intake = Intake().with_files([path]).with_entry(examined(path))
     remarks = intake.remarks(intake.entries[0])
-    about = [remark for remark in remarks if "coordinate system" in remark.text]
-    assert [remark.level for remark in about] == ["error"]
-    assert str(path) not in about[0].text
-    assert about[0].remedies[0].ask == "crs"
-    assert not any(str(path) in doubt for doubt in POSPAC.look(path, {}).doubts)
+    about = [remark for remark in remarks if remark.code == "trajectory.no_system"]
+    assert [remark.level for remark in about] == [Level.ERROR]
+    assert about[0].params["file"] == path.name
+    assert option_to_choose(about[0].actions[0]) == "crs"
+    assert all(doubt.params["file"] == path.name for doubt in POSPAC.look(path, {}).doubts)

@@ -8,10 +8,10 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io.exail import unit_of
-from lispac.io.files import without_path
 from lispac.io.formats import format_of, recognised
-from lispac.messages import error
+from lispac.messages import Message, error, warning
 from lispac.survey.trajectory import Trajectory
+from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
 ASCII, EXAIL, POSPAC = (format_of(key) for key in ("ascii-trajectory", "exail-text", "pospac-text"))
@@ -93,7 +93,7 @@ def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: floa
     assert ("EASTING is in US survey feet" in words) == (crs == NEW_JERSEY)
     assert ("the feet of the coordinate system" in words) == (crs != UTM)
     doubts = POSPAC.look(path, {"crs": crs}).doubts
-    assert any("does not say which" in doubt for doubt in doubts) == (crs == UTM)
+    assert ("trajectory.feet_not_specified" in codes(doubts)) == (crs == UTM)
 
 
 @pytest.mark.parametrize(
@@ -133,14 +133,14 @@ def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path:
     path = write(tmp_path / "a.csv", head, rows, ",")
     finding = ASCII.look(path, {"crs": NEW_JERSEY})
     assert off(ASCII.read(path, finding.choice), records) < 1e-4
-    assert any("No unit is stated for the heights" in doubt for doubt in finding.doubts)
+    assert "trajectory.height_unit_not_stated" in codes(finding.doubts)
     rows[:, 3] /= SURVEY_FOOT
     write(path, head, rows, ",")
     finding = ASCII.look(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
     trajectory = ASCII.read(path, finding.choice)
     assert off(trajectory, records) < 1e-4
     assert any("height is in US survey feet, as in the" in said for said in trajectory.assumptions)
-    assert not any("No unit is stated" in doubt for doubt in finding.doubts)
+    assert "trajectory.height_unit_not_stated" not in codes(finding.doubts)
 
 
 @pytest.mark.parametrize(("word", "unit"), [("US survey feet", SURVEY_FOOT), ("meter", 1.0)])
@@ -167,7 +167,7 @@ def test_words_of_feet(words: str, unit: str) -> None:
     assert unit_of(words) == unit
 
 
-def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> tuple[str, ...]:
+def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
     """Doubts about positions in a unit that the header calls ``word``, beside true velocities."""
     records, rows = gridded(NEW_JERSEY, unit)
     course = records[:, 9] - np.radians(2)
@@ -179,12 +179,19 @@ def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> t
 
 def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
-    assert not any("times the speed" in s for s in doubts_of_velocities(path, "Meters", 1.0, 1.0))
-    wrong = doubts_of_velocities(path, "US Survey Feet", 1.0, 1.0)
-    assert any("0.305 times the speed in EAST VELOCITY" in said for said in wrong)
-    assert any("feet are taken for metres" in said for said in wrong)
-    knots = doubts_of_velocities(path, "Meters", 1.0, 1.9438)
-    assert any("0.514 times the speed" in said for said in knots)
+    right = codes(doubts_of_velocities(path, "Meters", 1.0, 1.0))
+    assert not any("speed_differs" in code for code in right)
+    (wrong,) = (
+        each for each in doubts_of_velocities(path, "US Survey Feet", 1.0, 1.0)
+        if each.code == "trajectory.speed_differs_by_feet"
+    )  # fmt: skip
+    assert wrong.params["ratio"] == pytest.approx(0.305, abs=5e-4)
+    assert wrong.params["east"] == "EAST VELOCITY"
+    (knots,) = (
+        each for each in doubts_of_velocities(path, "Meters", 1.0, 1.9438)
+        if each.code == "trajectory.speed_differs"
+    )  # fmt: skip
+    assert knots.params["ratio"] == pytest.approx(0.514, abs=5e-4)
 
 
 def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
@@ -196,16 +203,16 @@ def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
         head = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
         path = write(tmp_path / "a.csv", head, rows, ",")
         doubts = ASCII.look(path, {}).doubts
-        assert any("faster than a vessel" in doubt for doubt in doubts) == doubted
+        assert ("trajectory.fast" in codes(doubts)) == doubted
 
 
 def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
     records = vessel(2000)
     path = write_records(tmp_path / "a.sbet", records)
-    assert not any("jump" in doubt for doubt in SBET.look(path, {}).doubts)
+    assert "trajectory.jumps" not in codes(SBET.look(path, {}).doubts)
     records[1200:, 1] += 300 / 6.4e6
     write_records(path, records)
-    assert any("The positions jump" in doubt for doubt in SBET.look(path, {}).doubts)
+    assert "trajectory.jumps" in codes(SBET.look(path, {}).doubts)
 
 
 @pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
@@ -215,9 +222,12 @@ def test_positions_far_from_where_the_system_is_meant_for_are_doubted(
     """Feet that nothing calls so, in a system in metres."""
     _, rows = gridded(UTM, unit)
     path = write(tmp_path / "a.csv", "time,easting,northing,height,roll,pitch,heading\n", rows, ",")
-    doubts = " ".join(ASCII.look(path, {"crs": UTM}).doubts)
-    assert (f"In {UTM} (WGS 84 / UTM zone 18N) the positions lie at latitude" in doubts) is said
-    assert ("(feet, metres)" in doubts) is said
+    found = [
+        (each.params["system"], each.params["name"])
+        for each in ASCII.look(path, {"crs": UTM}).doubts
+        if each.code == "trajectory.other_area"
+    ]
+    assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if said else [])
 
 
 @pytest.mark.parametrize("look", [True, False])
@@ -230,7 +240,8 @@ def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
     column = {"file": str(path), "column": "ellipsoidHeight", "unit": "deg"}
     assert refused.value.message == error("trajectory.not_a_length", **column)
     if look:
-        assert without_path(str(refused.value), path) in EXAIL.look(path, {"crs": UTM}).doubts
+        named = warning("trajectory.not_a_length", **{**column, "file": path.name})
+        assert named in EXAIL.look(path, {"crs": UTM}).doubts
 
 
 def test_angles_in_metres_are_refused(tmp_path: Path) -> None:

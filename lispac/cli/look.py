@@ -9,7 +9,7 @@ from typing import Any
 from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_numbers
-from lispac.message_texts import message_text
+from lispac.message_texts import message_text, note_text
 from lispac.workflow.file_audit import audit_messages_of
 from lispac.workflow.reading import Look, looks
 
@@ -37,8 +37,8 @@ def _audited(path: Path, found: Sequence[Look]) -> list[Look]:
     if items and items[0].finding is not None and items[0].format.kind == "points":
         finding = items[0].finding
         with ConsoleProgress() as progress:
-            told = audit_messages_of(path, items[0].format, finding.choice, progress=progress)
-        items[0] = replace(items[0], finding=replace(finding, messages=(*finding.messages, *told)))
+            audit = audit_messages_of(path, items[0].format, finding.choice, progress=progress)
+        items[0] = replace(items[0], finding=replace(finding, messages=(*finding.messages, *audit)))
     return items
 
 
@@ -46,7 +46,8 @@ def _print(item: Look) -> None:
     sure = "certainly" if item.sureness >= 1 else "probably" if item.sureness > 0.5 else "perhaps"
     print(f"\n{sure} {item.format.name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
     if item.finding is None:
-        print(f"  cannot be read: {item.error}")
+        reason = plain(message_text(item.error)) if item.error else ""
+        print(f"  cannot be read: {reason}")
         return
     for name, value in item.finding.facts.items():
         print(f"  {name:20s} {value}")
@@ -55,26 +56,25 @@ def _print(item: Look) -> None:
         among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
         print(f"  option {option.name}={settled[option.name]}{among}: {option.meaning}")
     for assumption in item.finding.assumptions:
-        print(f"  assumed: {assumption}")
+        print(f"  assumed: {plain(note_text(assumption))}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
-    for doubt in item.finding.doubts:
-        print(f"  doubt: {doubt}")
-    for message in item.finding.messages:
+    for message in (*item.finding.doubts, *item.finding.messages):
         print(f"  {message.level}: {plain(message_text(message))}")
 
 
 def _numbers(item: Look) -> dict[str, Any]:
     finding = item.finding
+    messages = (*finding.doubts, *finding.messages) if finding else ()
     return {
         "format": item.format.key,
         "name": item.format.name,
         "kind": item.format.kind,
         "sureness": item.sureness,
-        "error": item.error,
+        "error": plain(message_text(item.error)) if item.error else "",
         "facts": dict(finding.facts) if finding else {},
         "options": item.format.settled(finding.choice) if finding else {},
-        "assumptions": list(finding.assumptions) if finding else [],
-        "doubts": list(finding.doubts) if finding else [],
-        "messages": [message_numbers(each) for each in finding.messages] if finding else [],
+        "assumptions": [plain(note_text(a)) for a in finding.assumptions] if finding else [],
+        "doubts": [plain(message_text(each)) for each in finding.doubts] if finding else [],
+        "messages": [message_numbers(each) for each in messages],
     }

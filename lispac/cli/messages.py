@@ -6,7 +6,7 @@ from typing import Any, TextIO
 
 from lispac.adjustment.shown import plain
 from lispac.message_texts import action_text, message_text
-from lispac.messages import Action, Message
+from lispac.messages import Action, Message, plain_params
 
 
 def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> None:
@@ -24,9 +24,9 @@ def message_numbers(message: Message) -> dict[str, Any]:
     return {
         "code": message.code,
         "level": message.level.value,
-        "params": dict(message.params),
+        "params": plain_params(message),
         "subject": subject and {"kind": subject.kind, "name": subject.name, "line": subject.line},
-        "actions": [{"code": each.code, "params": dict(each.params)} for each in message.actions],
+        "actions": [{"code": each.code, "params": plain_params(each)} for each in message.actions],
         "text": plain(message_text(message)),
     }
 

@@ -8,11 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.messages import message_numbers, print_messages
 from lispac.cli.sensor_options import pos_sigmas, titles
 from lispac.identity import BLANK
+from lispac.message_texts import note_text
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.source import printable
 from lispac.workflow import projects
@@ -80,5 +82,5 @@ def _named(paths: Iterable[Path]) -> list[tuple[str, Path]]:
 
 def _notes(survey: Survey) -> None:
     for note in survey.notes:
-        print(f"note: {note}", file=sys.stderr)
+        print(f"note: {plain(note_text(note))}", file=sys.stderr)
     print_messages(survey.messages)

@@ -17,6 +17,7 @@ from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.wishes import Wishes
 from lispac.language import N_, Plural, gettext
+from lispac.message_texts import note_text
 from lispac.messages import error
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
@@ -146,7 +147,7 @@ class Controller(QObject):
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
-                self.noted.emit(note)
+                self.noted.emit(note_text(note))
             if count == 1:
                 template = N_("{line} was added to {project}. Save the project to keep it.")
             else:
@@ -244,7 +245,7 @@ class Controller(QObject):
         if self._document.project is None:  # closed again: another window has it
             return
         for note in survey.notes:
-            self.noted.emit(note)
+            self.noted.emit(note_text(note))
         self.noted.emit(gettext("Opened {folder}", folder=project.folder))
 
     def _follow(self) -> None:

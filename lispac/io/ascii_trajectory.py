@@ -40,7 +40,7 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_grid import UNSTATED
-from lispac.io.trajectory_preview import TextLayout, look_at_text
+from lispac.io.trajectory_preview import TextLayout, look_at_text, sign_assumed
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import (
     ANGLE_CODES,
@@ -51,10 +51,12 @@ from lispac.io.units import (
     stated_unit,
     with_units,
 )
-from lispac.messages import Action, Level, Message, Value, error
+from lispac.messages import Action, Level, Message, Value, error, warning
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory
 
+COLUMNS_ASSUMED = "trajectory.columns_assumed"
+"""Code of the warning that a file does not name its columns."""
 DEFAULT_COLUMNS = "time latitude longitude height roll pitch heading"
 DEFAULTS = {
     "columns": DEFAULT_COLUMNS,
@@ -171,7 +173,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
 
 
 def look_ascii(path: Path, choice: Choice) -> Finding:
-    """Detected columns and units, first rows and doubts."""
+    """Detected columns and units, first rows and warnings."""
     path = Path(path)
     # Reading the first line tells a missing, empty or binary file.
     next(lines_of(path, "text"), None)
@@ -276,23 +278,21 @@ def _conventions(chosen: dict[str, str]) -> Conventions:
     )
 
 
-def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
+def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[Message]]:
     """Columns, units and time base by a row of names and by the first values."""
     lines = first_lines(path, 60)
     if own := written_options(lines):
         return own, []
     names = _header_names(lines)
     found: dict[str, str] = {}
-    doubts: list[str] = []
+    doubts: list[Message] = []
+    file = printable(path.name)
     if names:
         _require_one_column_each(path, names)
         found["columns"] = " ".join(_tokens(names))
         found |= _stated_options(names)
     elif "columns" not in choice:
-        doubts.append(
-            f"No row names the columns; {DEFAULT_COLUMNS} is taken: state the columns if they "
-            "differ."
-        )
+        doubts.append(warning(COLUMNS_ASSUMED, file=file, columns=DEFAULT_COLUMNS.split()))
     tokens = (choice.get("columns") or found.get("columns") or DEFAULT_COLUMNS).split()
     separator = choice.get("separator", "auto")
     data = [fields for line in lines if is_data(fields := _split(line, separator))]
@@ -311,7 +311,8 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
         for index, token in enumerate(tokens)
         if role_of(token) in POSITION
     }
-    _detect_units(values, written if len(written) == len(POSITION) else {}, found, choice, doubts)
+    places = written if len(written) == len(POSITION) else {}
+    doubts += _detect_units(values, places, found, choice, file)
     roles = {role_of(token) for token in tokens}
     clocks = "time" in roles and "time" not in values
     if "date" in roles:
@@ -319,10 +320,12 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[str]]:
     elif clocks:
         found["time"] = "utc-day"
     if (clocks or "date" in roles) and "time" not in choice:
-        doubts.append("The file does not say whether its times are UTC; UTC is taken.")
-    for option, words in (("roll", "starboard down"), ("pitch", "bow up")):
-        if option not in choice:
-            doubts.append(f"The file does not say the sign of {option}; positive {words} is taken.")
+        doubts.append(warning("times.utc_assumed", file=file))
+    doubts += [
+        sign_assumed(path, angle, sign)
+        for angle, sign in (("roll", "starboard-down"), ("pitch", "bow-up"))
+        if angle not in choice
+    ]
     return found, doubts
 
 
@@ -476,9 +479,9 @@ def _detect_units(
     written: Mapping[str, Sequence[str]],
     found: dict[str, str],
     choice: Choice,
-    doubts: list[str],
-) -> None:
-    """Units by the first values.
+    file: str,
+) -> Iterator[Message]:
+    """Detect units by the first values and put them into ``found``; warn of radians.
 
     Parameters
     ----------
@@ -492,12 +495,22 @@ def _detect_units(
         minutes = np.concatenate([latitude, longitude]) % 100
         if (beyond or _is_padded(written)) and (minutes < 60).all():
             found.setdefault("position", "degrees-minutes")
-        _settle("position", largest, found, choice, doubts)
+        if _is_in_radians("position", largest, found, choice):
+            actions = (use_degrees("position"),)
+            yield warning("trajectory.position_in_radians", file=file, actions=actions)
     elif not {"latitude", "longitude"} & set(values) and "easting" not in values and written:
         # A unit of degrees in the title is no contradiction to degrees with letters or minutes.
         found["position"] = "degrees-minutes" if _is_padded(written) else "dms"
     if "heading" in values:
-        _settle("attitude", np.abs(values["heading"]).max(), found, choice, doubts)
+        largest = float(np.abs(values["heading"]).max())
+        if _is_in_radians("attitude", largest, found, choice):
+            actions = (use_degrees("attitude"),)
+            yield warning("trajectory.attitude_in_radians", file=file, actions=actions)
+
+
+def use_degrees(option: str) -> Action:
+    """Read an angle as degrees."""
+    return Action("use_degrees", {"name": option, "value": "degrees"})
 
 
 _PADDED = {
@@ -513,18 +526,12 @@ def _is_padded(written: Mapping[str, Sequence[str]]) -> bool:
     )
 
 
-def _settle(
-    option: str, largest: float, found: dict[str, str], choice: Choice, doubts: list[str]
-) -> None:
-    """Degrees where values exceed a full circle in radians, else radians, which is said."""
+def _is_in_radians(option: str, largest: float, found: dict[str, str], choice: Choice) -> bool:
+    """Settle degrees where values exceed a full circle in radians, else radians."""
     if option in found or option in choice:
-        return
+        return False
     found[option] = "degrees" if largest > 2 * np.pi else "radians"
-    if found[option] == "radians":
-        doubts.append(
-            f"The first values of {option} stay within a full circle of radians, so radians are "
-            "taken; state degrees if they are."
-        )
+    return found[option] == "radians"
 
 
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:

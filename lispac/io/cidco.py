@@ -29,6 +29,7 @@ from lispac.io.points import (
 from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
 from lispac.messages import error
+from lispac.survey.source import printable
 
 COLUMNS = 22
 RECORD = 8 * COLUMNS
@@ -75,7 +76,7 @@ def look(path: Path, choice: Choice) -> Finding:
     path = require_filled(path, "CIDCO")
     settled = CIDCO.settled(choice)
     records = next(records_of(path, PREVIEW))
-    seen = sight(records[:, 4:7], records[:, 3], crs="")
+    seen = sight(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
     facts = {
         "format": "CIDCO binary, 22 float64 a point",
         "points": f"{path.stat().st_size // RECORD:,}",

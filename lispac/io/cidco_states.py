@@ -19,7 +19,8 @@ from lispac.io.cidco import sniff as sniff_points
 from lispac.io.points import CHUNK, PREVIEW, plainly, require_filled, table
 from lispac.io.registry import NOT, POSSIBLE, Choice, Finding, Option
 from lispac.io.trajectory_facts import duration_words
-from lispac.messages import error
+from lispac.messages import Message, error, warning
+from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
@@ -53,7 +54,7 @@ def look_states(path: Path, choice: Choice) -> Finding:
         _facts(states),
         _first(path),
         {},
-        _doubts(choice),
+        _doubts(path, choice),
         _assumptions(choice),
     )
 
@@ -145,13 +146,10 @@ def _facts(states: Array) -> dict[str, str]:
     }
 
 
-def _doubts(choice: Choice) -> tuple[str, ...]:
+def _doubts(path: Path, choice: Choice) -> tuple[Message, ...]:
     if choice.get("origin", ORIGIN.default) not in ("", ORIGIN.default):
         return ()
-    return (
-        "The file does not say where its local frame stands on Earth, so 0 N 0 E is taken: the "
-        "boresight does not depend on it, but state the origin before clouds go on a map.",
-    )
+    return (warning("cidco.no_origin", file=printable(path.name)),)
 
 
 def _assumptions(choice: Choice) -> tuple[str, ...]:

@@ -26,7 +26,8 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, Option, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import Level, Message, Value, error
+from lispac.messages import Level, Message, Value, error, warning
+from lispac.survey.source import printable
 
 Array = NDArray[np.float64]
 
@@ -70,26 +71,21 @@ def look(path: Path, choice: Choice) -> Finding:
         raise InputError(error("file.no_points", file=str(path)))
     count = sum(scan.count for scan in scans)
     stamps = stored["timeStamp"]
-    doubts: list[str] = []
+    doubts: list[Message] = []
+    file = printable(path.name)
     found = {"time_from": START, "crs": system}
     if stamps.max() > DAY:
         found["time_from"] = ZERO
-        doubts.append(
-            f"Time stamps such as {stamps[0]:.3f} are too large for the time since the start of a "
-            "scan: taken as they are."
-        )
+        doubts.append(warning("e57.large_time_stamps", file=file, time=float(stamps[0])))
     elif not all(scan.start for scan in scans):
         found["time_from"] = ZERO
-        doubts.append("The scans do not say when they started: time stamps are taken as they are.")
+        doubts.append(warning("e57.start_not_stated", file=file))
     if any(scan.has_pose for scan in scans):
-        doubts.append(
-            "The scans have poses: they are applied where points are georeferenced, "
-            "not in the scanner frame."
-        )
+        doubts.append(warning("e57.poses", file=file))
     base = "gps-full" if {**found, **choice}["time_from"] == START else ""
     found["time_base"] = base
     posed = usable_points(_chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count))
-    seen = sight(posed.xyz, posed.time, crs=system)
+    seen = sight(posed.xyz, posed.time, file=file, crs=system)
     found["frame"] = seen.frame
     settled = E57.settled({**found, **choice})
     time = posed.time
@@ -111,7 +107,7 @@ def look(path: Path, choice: Choice) -> Finding:
         facts,
         table(names, tuple(stored.values())),
         {name: value for name, value in found.items() if value},
-        (*doubts, *seen.doubts, *base_doubts(time, base)),
+        (*doubts, *seen.doubts, *base_doubts(time, base, file)),
         messages=_invalid_messages(path, invalid, count),
     )
 

@@ -23,7 +23,6 @@ from lispac.io.trajectory_columns import (
     HEIGHTS,
     HEMISPHERES,
     POSITION,
-    UNIT_WORDS,
     Column,
     Conventions,
     Rows,
@@ -32,10 +31,17 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_grid import UNSTATED
-from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
+from lispac.io.trajectory_preview import (
+    TextLayout,
+    has_sigmas,
+    look_at_accuracy,
+    look_at_text,
+    sign_assumed,
+)
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import direction_of, unit_of
-from lispac.messages import error
+from lispac.messages import Level, Message, error, warning
+from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
@@ -108,7 +114,7 @@ def exail_layout(path: Path) -> TextLayout:
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:
             unit = default_unit(role)
-            doubts.append(unstated(name, unit))
+            doubts.append(unstated(path, name, unit))
         columns.append(Column(role, index, name, unit))
     facts = {"Header": comments[0].lstrip("# ").strip() or "without title"}
     facts |= {
@@ -133,13 +139,17 @@ def default_unit(role: str) -> str:
     return "deg" if role.removesuffix("_sd") in angles else "m"
 
 
-def unstated(name: str, unit: str) -> str:
-    """The doubt where a header gives no unit for a column and ``unit`` is taken."""
-    if unit == UNSTATED:
-        taken = "that of the coordinate system is taken, for heights without one metres"
-    else:
-        taken = f"{UNIT_WORDS.get(unit, 'metres')} are taken"
-    return f"The header gives no unit for {name}; {taken}."
+def unstated(path: Path, name: str, unit: str) -> Message:
+    """The warning that a header states no unit for a column and ``unit`` is assumed."""
+    return Message(_ASSUMED[unit], Level.WARNING, {"file": printable(path.name), "column": name})
+
+
+_ASSUMED = {
+    "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
+    "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
+    UNSTATED: "trajectory.unit_of_system_assumed",
+}  # fmt: skip
+"""Code of the warning by the unit that is assumed (`default_unit`)."""
 
 
 def sign_in(words: str) -> str:
@@ -160,7 +170,7 @@ def exail_rows(path: Path) -> Rows:
 
 
 def look_exail(path: Path, choice: Choice) -> Finding:
-    """Header, first rows, detected options and doubts."""
+    """Header, first rows, detected options and warnings."""
     path = Path(path)
     layout = exail_layout(path)
     found = _detected(layout) | dict(choice)
@@ -168,12 +178,9 @@ def look_exail(path: Path, choice: Choice) -> Finding:
     doubts = list(finding.doubts)
     for angle in ("roll", "pitch"):
         if f"Sign of {angle}" not in layout.facts and angle not in choice:
-            doubts.append(
-                f"The header does not say the sign of {angle}; iXblue's is taken (positive "
-                f"{found[angle].replace('-', ' ')})."
-            )
+            doubts.append(sign_assumed(path, angle, found[angle]))
     if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
-        doubts.append("The header does not say whether its times are UTC; UTC is taken.")
+        doubts.append(warning("times.utc_assumed", file=printable(path.name)))
     return replace(finding, choice=found, doubts=tuple(doubts))
 
 
@@ -187,8 +194,9 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     path = Path(path)
     layout = exail_layout(path)
     conventions = _conventions(layout, _detected(layout) | dict(choice))
-    said = ("Exail text: columns and units by the header", *layout.doubts)
-    return trajectory_of(path, exail_rows(path), layout.columns, conventions, said)
+    header = "Exail text: columns and units by the header"
+    assumptions: tuple[str | Message, ...] = (header, *layout.doubts)
+    return trajectory_of(path, exail_rows(path), layout.columns, conventions, assumptions)
 
 
 def look_exail_accuracy(path: Path, choice: Choice) -> Finding:

@@ -10,16 +10,17 @@ import tempfile
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError
+from lispac.errors import InputError, LispacError
 from lispac.io.packed import require_unpacked
-from lispac.language import is_translated, mark_translated
 from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
+from lispac.survey.source import printable
 from lispac.survey.time_quality import time_quality
 
 KINDS: Mapping[str, Message] = {
@@ -205,16 +206,15 @@ def require_increasing(
     )  # fmt: skip
 
 
-def without_path(sentence: str, path: Path) -> str:
-    """A sentence for where the file is named already."""
-    for name in (f"{path}: ", f"{path}\u00a0: ", f"{path}, "):
-        if sentence.startswith(name):
-            rest = sentence[len(name) :]
-            rest = rest[:1].upper() + rest[1:]
-            if is_translated(sentence):
-                mark_translated(rest)
-            return rest
-    return sentence
+def message_about(failure: LispacError, path: Path) -> Message:
+    """The message of an error about a file, with the name of the file instead of its path."""
+    name = printable(path.name)
+    message = failure.message
+    if message is None:
+        return error("file.refused", file=name, reason=str(failure))
+    if message.params.get("file") != str(path):
+        return message
+    return replace(message, params={**message.params, "file": name})
 
 
 TEMPORARY = ".part"

@@ -19,6 +19,7 @@ from lispac.io.points import (
     GEOREFERENCED,
     PLACE,
     PREVIEW,
+    USE_FEET,
     base_doubts,
     place_facts,
     plainly,
@@ -32,10 +33,11 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import error
+from lispac.messages import Message, error, warning
 from lispac.survey.crs import local_text
 from lispac.survey.kernels import scaled
 from lispac.survey.screening import LARGEST
+from lispac.survey.source import printable
 
 LARGEST_CHUNK = 1 << 28
 """Bytes of point records read at once, whatever size a header claims for one."""
@@ -97,13 +99,14 @@ def look(path: Path, choice: Choice) -> Finding:
         Where the file cannot be read or has no time.
     """
     path = require_filled(path, "LAS")
+    file = printable(path.name)
     with plainly(path, "LAS or LAZ"), opened(path) as reader:
         header = reader.header
         record = CloudRecord.of(header)
         frame = None if record is None else record.frame
         if is_in_local_frame(header) and frame is None and "frame" not in choice:
             raise InputError(error("las.local_frame", file=str(path)))
-        stated = stated_system(header, path.name)
+        stated = stated_system(header, file)
         points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
         time = np.asarray(points.gps_time)
@@ -121,7 +124,7 @@ def look(path: Path, choice: Choice) -> Finding:
     )
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
-    seen = sight(xyz, time, crs=stated.text, low=low, high=high)
+    seen = sight(xyz, time, file=file, crs=stated.text, low=low, high=high)
     if frame is not None:  # what is unusual for a map is usual there
         seen = replace(seen, frame=GEOREFERENCED, doubts=())
     base = _time_base(header)
@@ -152,8 +155,8 @@ def look(path: Path, choice: Choice) -> Finding:
         (
             *stated.doubts,
             *seen.doubts,
-            *(() if choice.get("time_base") else base_doubts(time, base)),
-            *_header_doubts(header, stated.text, xyz),
+            *(() if choice.get("time_base") else base_doubts(time, base, file)),
+            *_header_doubts(header, stated.text, xyz, file),
         ),
         _assumptions(header),
         (
@@ -309,21 +312,23 @@ def _assumptions(header: laspy.LasHeader) -> tuple[str, ...]:
     return (words,)
 
 
-def _header_doubts(header: laspy.LasHeader, crs: str, xyz: np.ndarray) -> Iterator[str]:
-    """Scales too coarse or made from feet."""
+def _header_doubts(
+    header: laspy.LasHeader, crs: str, xyz: np.ndarray, file: str
+) -> Iterator[Message]:
+    """Warnings about scales that are too coarse or made from feet."""
     geographic = bool(crs) and np.abs(xyz[:, :2]).max() <= 360
     for axis, scale in zip("xyz", header.scales, strict=True):
         metres = scale * 111_000 if geographic and axis != "z" else scale
         if metres > 0.002:
-            yield (
-                f"Coordinates are stored in steps of {metres * 1000:,.0f} mm in {axis}: "
-                "the points are no better than that; export with 0.1 mm."
-            )
+            yield warning("points.coarse_coordinates", file=file, step=float(metres), axis=axis)
             break
     for factor in FEET_SCALES:
         power = np.log10(header.scales[0] / factor)
         if abs(power - round(power)) < 1e-4:
-            yield f"The resolution {header.scales[0]:g} comes from feet: check the unit."
+            yield warning(
+                "points.resolution_in_feet", file=file, resolution=float(header.scales[0]),
+                actions=USE_FEET,
+            )  # fmt: skip
 
 
 def _text(value: str | bytes) -> str:

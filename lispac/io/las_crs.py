@@ -15,8 +15,11 @@ from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinat
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
-from lispac.messages import Action, Level, Message
+from lispac.io.points import CHOOSE_SYSTEM
+from lispac.messages import Action, Level, Message, warning
 
+CHECK_SYSTEM = Action("check_system", {"name": "crs"})
+CHOOSE_VERTICAL_REFERENCE = Action("choose_vertical_reference", {"name": "height"})
 UNIT_CODES = {9001: "metre", 9002: "foot", 9003: "us-survey-foot"}
 UNIT_NAMES = {"metre": "metre", "foot": "foot", "US survey foot": "us-survey-foot"}
 MODEL, CITATION, GEOGRAPHIC, GEOGRAPHIC_CITATION = 1024, 1026, 2048, 2049
@@ -36,7 +39,8 @@ class StatedSystem:
     text : str
         For `lispac.survey.crs.coordinate_system`; empty where the header says nothing usable.
     name, height_unit : str
-    doubts : tuple of str
+    doubts : tuple of Message
+        About a system that cannot be used, or is used with an assumption.
     messages : tuple of Message
         About WKT and keys that contradict each other.
     """
@@ -44,7 +48,7 @@ class StatedSystem:
     text: str = ""
     name: str = "none"
     height_unit: str = ""
-    doubts: tuple[str, ...] = ()
+    doubts: tuple[Message, ...] = ()
     messages: tuple[Message, ...] = ()
 
     @property
@@ -68,9 +72,9 @@ def stated_system(header: LasHeader, file: str = "") -> StatedSystem:
         warnings.simplefilter("ignore")  # PROJ's remarks on old WKT
         for record in records:
             if isinstance(record, WktCoordinateSystemVlr) and record.string.strip("\0 \n"):
-                by_wkt = by_wkt or _of_wkt(record.string.strip("\0 \n"))
+                by_wkt = by_wkt or _of_wkt(record.string.strip("\0 \n"), file)
             elif isinstance(record, GeoKeyDirectoryVlr) and record.geo_keys:
-                by_keys = by_keys or _of_keys(*_keys(record, records))
+                by_keys = by_keys or _of_keys(*_keys(record, records), file)
         if by_wkt is None or by_keys is None:
             return by_wkt or by_keys or StatedSystem()
         pair = (by_wkt, by_keys) if header.global_encoding.wkt else (by_keys, by_wkt)
@@ -113,11 +117,11 @@ def _parts(text: str) -> tuple[CRS, CRS | None]:
     return place.to_2d(), parts[1] if len(parts) > 1 else None
 
 
-def _of_wkt(wkt: str) -> StatedSystem:
+def _of_wkt(wkt: str, file: str) -> StatedSystem:
     crs = _parsed(wkt)
     if crs is None:
         return StatedSystem(
-            doubts=("The WKT of the header is not a coordinate system PROJ knows: give it.",)
+            doubts=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),)
         )
     code = crs.to_epsg()
     return StatedSystem(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
@@ -141,8 +145,8 @@ def _keys(
     return numbers, texts
 
 
-def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str]) -> StatedSystem:
-    doubts: list[str] = []
+def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) -> StatedSystem:
+    doubts: list[Message] = []
     crs: CRS | None = None
     if numbers.get(MODEL) == GEOCENTRIC_MODEL:
         crs = _geocentric(numbers.get(GEOGRAPHIC, 0))
@@ -154,21 +158,27 @@ def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str]) -> StatedSyst
         crs = _by_name(numbers, texts)
         if crs is not None:
             doubts.append(
-                f"The header gives no code but the name {crs.name}, taken as "
-                f"EPSG:{crs.to_epsg()}: check it."
-            )
+                warning(
+                    "las.system_by_name", file=file, name=crs.name,
+                    system=f"EPSG:{crs.to_epsg()}", actions=(CHECK_SYSTEM,),
+                )
+            )  # fmt: skip
     if crs is None:
-        given = texts.get(PROJECTED_CITATION) or texts.get(CITATION) or "without a name"
-        return StatedSystem(
-            doubts=(f"The header's coordinate system ({given}) has no known code: give it.",)
-        )
+        name, actions = texts.get(PROJECTED_CITATION) or texts.get(CITATION), (CHOOSE_SYSTEM,)
+        if name:
+            unknown = warning("las.system_without_code", file=file, name=name, actions=actions)
+        else:
+            unknown = warning("las.system_not_named", file=file, actions=actions)
+        return StatedSystem(doubts=(unknown,))
     unit = UNIT_CODES.get(numbers.get(LINEAR_UNIT, 0), "")
     own = UNIT_NAMES.get(crs.axis_info[0].unit_name, "")
     if unit and own and unit != own:
         doubts.append(
-            f"The header says {unit}, but {crs.name} is in {own}: give the coordinate system "
-            "that the points are in."
-        )
+            warning(
+                "las.unit_contradicts_system", file=file, unit=unit, system=crs.name,
+                system_unit=own, actions=(CHOOSE_SYSTEM,),
+            )
+        )  # fmt: skip
         return StatedSystem(doubts=tuple(doubts))
     text = f"EPSG:{crs.to_epsg()}"
     name = crs.name
@@ -178,7 +188,12 @@ def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str]) -> StatedSyst
     elif vertical and (heights := _epsg(vertical)) is not None and heights.is_vertical:
         text, name = f"{text}+{vertical}", f"{name} + {heights.name}"
     elif 0 < vertical < 32767:
-        doubts.append(f"The header's code of heights, {vertical}, is not known: state them.")
+        doubts.append(
+            warning(
+                "las.unknown_vertical", file=file, code=str(vertical),
+                actions=(CHOOSE_VERTICAL_REFERENCE,),
+            )
+        )  # fmt: skip
     height_unit = UNIT_CODES.get(numbers.get(VERTICAL_UNIT, 0), "")
     return StatedSystem(text, name, height_unit, tuple(doubts))
 

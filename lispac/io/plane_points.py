@@ -18,6 +18,8 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
+from lispac.messages import warning
+from lispac.survey.source import printable
 
 PARTS = {
     "points_local": slice(1, 4), "attitude": slice(8, 11), "sigma_attitude": slice(11, 14),
@@ -49,8 +51,9 @@ def look(path: Path, choice: Choice) -> Finding:
         Where the file cannot be read or is not a plane file.
     """
     rows = read_table(require_filled(path, "plane"))
+    file = printable(path.name)
     settled = PLANES.settled(choice)
-    seen = sight(rows[:, 5:8], rows[:, 4], crs="")
+    seen = sight(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
         "format": "plane file, 25 columns",
         "points": f"{len(rows):,}",
@@ -60,8 +63,8 @@ def look(path: Path, choice: Choice) -> Finding:
         "assumed": "LiDAR coordinates are taken, the local ones and the POS states go along; "
         "points and trajectory share one time base",
     }
-    doubt = "A plane file holds the points of one target on all lines, not one line."
-    return Finding(facts, table(NAMES, tuple(rows.T)), {}, (doubt, *seen.doubts))
+    of_one_target = warning("points.of_one_target", file=file)
+    return Finding(facts, table(NAMES, tuple(rows.T)), {}, (of_one_target, *seen.doubts))
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:

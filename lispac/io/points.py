@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from lispac.errors import Cancelled, InputError, LispacError
 from lispac.io.files import kind_of_file, require_file
 from lispac.io.registry import NOT, Choice, Option, PointChunk
-from lispac.messages import error
+from lispac.messages import Action, Message, error, warning
 from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
 from lispac.survey.screening import LARGEST, LARGEST_TIME
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import KEYS, base_of, plausible
 from lispac.survey.time_restart import KEYS as KEYS_OF_RESTART
+from lispac.survey.time_stated import base_message
 
 Array = NDArray[np.float64]
 
@@ -88,7 +89,15 @@ TIME_NAMES = (
 
 COARSEST_TIME = 1e-3
 """Seconds: at 10 deg/s, a brisk turn, a vessel turns by 0.01 deg in it."""
-NO_SYSTEM = "names no coordinate system"
+CHOOSE_SYSTEM = Action("choose_system", {"name": CRS.name})
+CHOOSE_FRAME = Action("choose_frame", {"name": FRAME.name})
+CHOOSE_TIME_BASE = Action("choose_time_base", {"name": TIME_BASE.name})
+USE_FEET = (
+    Action("use_feet", {"name": UNIT.name, "value": "foot"}),
+    Action("use_us_survey_feet", {"name": UNIT.name, "value": "us-survey-foot"}),
+)
+NO_SYSTEM = "points.no_system"
+"""Code of the warning that a file states no coordinate system."""
 
 
 def system_of(choice: Choice, path: Path | None = None) -> CoordinateSystem | None:
@@ -326,15 +335,25 @@ def time_base(time: NDArray[np.float64], stated: str) -> str:
     return f"not stated; the values fit {fitting}" if fitting else "not stated"
 
 
-def base_doubts(time: NDArray[np.float64], stated: str) -> tuple[str, ...]:
-    """Doubts where ``time`` (n,), seconds, cannot be what the file states."""
-    if not stated or not len(time) or stated in {base.key for base in plausible(time)}:
+def base_doubts(time: NDArray[np.float64], stated: str, file: str) -> tuple[Message, ...]:
+    """A warning where ``time`` (n,), seconds, cannot be what the file called ``file`` states."""
+    if not stated or not len(time):
         return ()
-    fitting = " or ".join(base.name for base in plausible(time)) or "no known time base"
+    possible = plausible(time)
+    if stated in {each.key for each in possible}:
+        return ()
+    fitting = tuple(base_message(each) for each in possible)
+    base, first, actions = base_message(base_of(stated)), float(time[0]), (CHOOSE_TIME_BASE,)
+    if not fitting:
+        return (
+            warning("times.base_impossible", file=file, base=base, time=first, actions=actions),
+        )
     return (
-        f"The file states {base_of(stated).name}, but times such as {float(time[0]):.3f} are "
-        f"{fitting}: choose the time base.",
-    )
+        warning(
+            "times.base_contradicted", file=file, base=base, time=first, bases=fitting,
+            actions=actions,
+        ),
+    )  # fmt: skip
 
 
 def table(names: Sequence[str], columns: Sequence[NDArray[Any]]) -> tuple[tuple[str, ...], ...]:

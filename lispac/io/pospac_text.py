@@ -28,7 +28,7 @@ from lispac.io.trajectory_columns import (
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import unit_of
-from lispac.messages import error
+from lispac.messages import Message, error
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
@@ -82,7 +82,7 @@ def pospac_layout(path: Path) -> TextLayout:
     )
     stated = _stated_units(units_line)
     columns: list[Column] = []
-    doubts: list[str] = []
+    doubts: list[Message] = []
     for index, name in enumerate(names):
         role = role_of(name)
         if not role or any(column.role == role for column in columns):
@@ -90,7 +90,7 @@ def pospac_layout(path: Path) -> TextLayout:
         unit = stated.get(_group(role), "")
         if not unit:
             unit = default_unit(role)
-            doubts.append(unstated(name.lower(), unit))
+            doubts.append(unstated(path, name.lower(), unit))
         if unit in ("dms", "clock"):
             raise InputError(
                 error("trajectory.pospac_notation", file=str(path), column=name.lower())
@@ -128,7 +128,7 @@ def pospac_rows(path: Path) -> Rows:
 
 
 def look_pospac(path: Path, choice: Choice) -> Finding:
-    """Header, first rows and doubts."""
+    """Header, first rows and warnings."""
     path = Path(path)
     layout = pospac_layout(path)
     found = {"crs": "", "time": "gps-week"} | dict(choice)
@@ -144,9 +144,10 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = pospac_layout(path)
-    said = ("POSPac text: columns and units by the header", *layout.doubts)
+    header = "POSPac text: columns and units by the header"
+    assumptions: tuple[str | Message, ...] = (header, *layout.doubts)
     conventions = _conventions(layout, choice)
-    return trajectory_of(path, pospac_rows(path), layout.columns, conventions, said)
+    return trajectory_of(path, pospac_rows(path), layout.columns, conventions, assumptions)
 
 
 def look_pospac_accuracy(path: Path, choice: Choice) -> Finding:

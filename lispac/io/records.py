@@ -25,8 +25,9 @@ from lispac.io.points import (
 )
 from lispac.io.registry import Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import Message, error
+from lispac.messages import Message, error, warning
 from lispac.survey.screening import LARGEST as LARGEST_COORDINATE
+from lispac.survey.source import printable
 
 LARGEST = 1 << 28  # bytes of records read at once
 Columns = Mapping[str, NDArray[Any]]
@@ -213,7 +214,7 @@ def require_axes(path: Path, names: tuple[str, ...]) -> None:
 
 
 def finding(format_: Format, columns: Columns, choice: Choice, records: Records) -> Finding:
-    """What a look at the first points tells."""
+    """Facts and warnings of the first points."""
     path, count = records.path, records.count
     given, choice = choice, format_.settled(choice)
     first = {name: values[:PREVIEW] for name, values in columns.items()}
@@ -221,19 +222,19 @@ def finding(format_: Format, columns: Columns, choice: Choice, records: Records)
     chunk = points_of(first, {**choice, "unit": "metre"}, path, done=0, total=count)
     chunk = usable_points(chunk)
     stored_time = first[field]
-    seen = sight(chunk.xyz, chunk.time, crs=str(choice["crs"]))
+    file = printable(path.name)
+    seen = sight(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
     doubts = list(seen.doubts)
     step = coarseness(stored_time, SECONDS[choice["time_unit"]])
-    if step > 1e-4:
-        doubts.append(f"Times are stored with 32 bits, in steps of {step:.2g} s: export with 64.")
+    if step > 1e-4 and not any(each.code == "times.coarse" for each in doubts):
+        doubts.append(warning("times.coarse", file=file, step=step))
     if np.issubdtype(stored_time.dtype, np.integer) and choice["time_unit"] == "second":
-        doubts.append(f"The time {field} is in whole numbers: state its unit.")
+        doubts.append(warning("times.whole_numbers", file=file))
     farthest = float(np.abs(chunk.xyz).max())
     grain = float(np.spacing(np.float32(farthest)))
     if any(first[axis].dtype == np.float32 for axis in "xyz") and grain > 1e-3:
         doubts.append(
-            f"Coordinates are stored with 32 bits, in steps of {grain * 1000:.0f} mm at "
-            f"{farthest:,.0f}: the points are no better than that; export with 64."
+            warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
         )
     found = {"frame": seen.frame, "time_field": field}
     settled = format_.settled({**found, **given})
@@ -250,6 +251,6 @@ def finding(format_: Format, columns: Columns, choice: Choice, records: Records)
         },
         table(tuple(first), tuple(first.values())),
         found,
-        (*doubts, *base_doubts(chunk.time, str(choice["time_base"]))),
+        (*doubts, *base_doubts(chunk.time, str(choice["time_base"]), file)),
         messages=records.messages,
     )

@@ -50,7 +50,7 @@ class Option:
 
 @dataclass(frozen=True)
 class Finding:
-    """What a look into a file told.
+    """What a look into a file found.
 
     Attributes
     ----------
@@ -60,10 +60,10 @@ class Finding:
         First rows, the names of the columns at the head.
     choice : mapping
         Options as detected.
-    doubts : tuple of str
-        A sentence for each thing the user should look at before importing.
-    assumptions : tuple of str
-        What the reader takes for granted with these options: frame, unit, signs, time base.
+    doubts : tuple of Message
+        Warnings about how the file is read, to be checked before importing.
+    assumptions : tuple of str or Message
+        What the reader assumes with these options: frame, unit, signs, time base.
     messages : tuple of Message
         Warnings and notes about the content of the file.
     """
@@ -71,8 +71,8 @@ class Finding:
     facts: Mapping[str, str]
     rows: tuple[tuple[str, ...], ...] = ()
     choice: Choice = None  # type: ignore[assignment]
-    doubts: tuple[str, ...] = ()
-    assumptions: tuple[str, ...] = ()
+    doubts: tuple[Message, ...] = ()
+    assumptions: tuple[str | Message, ...] = ()
     messages: tuple[Message, ...] = ()
 
     def __post_init__(self) -> None:

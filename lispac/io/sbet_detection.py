@@ -1,4 +1,4 @@
-"""What an SBET's own numbers tell about how its writer made it.
+"""Options of an SBET, detected from its own numbers.
 
 The format is bare numbers. Their order, unit and byte order show in their size, frames and signs in
 the motion (`lispac.io.sbet_motion`).
@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import require_file
+from lispac.io.files import kind_of_file, require_file
 from lispac.io.sbet import SbetOptions
 from lispac.io.sbet_motion import signs_of, velocity_frame
 from lispac.io.trajectory_facts import Motion, course_doubts, facts_of, motion_of, time_doubts
-from lispac.messages import error
+from lispac.messages import Message, error, warning
+from lispac.survey.source import printable
 from lispac.survey.time_base import plausible, unrolled
 
 Array = NDArray[np.float64]
@@ -34,7 +35,7 @@ MOST_TIMES = 1_000_000
 
 @dataclass(frozen=True)
 class Detection:
-    """What was found: options, facts for the preview, and a sentence for each doubt.
+    """What was found: options, facts for the preview, and warnings.
 
     Attributes
     ----------
@@ -44,7 +45,7 @@ class Detection:
 
     options: SbetOptions
     facts: dict[str, str]
-    doubts: tuple[str, ...]
+    doubts: tuple[Message, ...]
     head: Array
 
 
@@ -148,57 +149,61 @@ def detect_sbet(path: Path) -> Detection:
         raise InputError(error("text.empty", file=str(path)))
     if size < 2 * RECORD:
         raise InputError(error("sbet.too_short", file=str(path), bytes=size))
-    doubts: list[str] = []
+    doubts: list[Message] = []
+    file = printable(path.name)
     byte_order, _ = byte_order_of(path)
     options = SbetOptions(byte_order=byte_order)
     if byte_order == "big-endian":
-        doubts.append("The numbers are big-endian, which SBET is not; check who wrote the file.")
+        doubts.append(warning("sbet.big_endian", file=file))
     blocks, count = blocks_of(path, "<" if byte_order == "little-endian" else ">")
     if not blocks:
         raise InputError(error("sbet.not_readable", file=str(path)))
     head = blocks[0][:5]
     if size % RECORD:
         doubts.append(
-            f"The file ends within a record ({size % RECORD} of {RECORD} bytes): it is cut short "
-            "or not SBET; copy or export it again."
-        )
+            warning(
+                "file.partial_record", file=file, kind=kind_of_file("SBET"), size=size,
+                record=RECORD, rest=size % RECORD,
+            )
+        )  # fmt: skip
     facts = {"Records": f"{count:,}"}
     sound = [block[np.isfinite(block).all(axis=1)] for block in blocks]
     lost = sum(len(block) for block in blocks) - sum(len(block) for block in sound)
     if lost:
-        doubts.append(f"{lost:,} of the records looked at hold values that are not numbers.")
+        doubts.append(warning("sbet.not_finite", file=file, count=lost))
     usable = [block for block in sound if len(block) > 2]
     if not usable or max(float(np.abs(block).max()) for block in usable) > 1e11:
-        doubts.append("The numbers are not those of an SBET; choose the format the file has.")
+        doubts.append(warning("sbet.other_format", file=file))
         return Detection(options, facts, tuple(doubts), head)
     time = _times(path, options.byte_order, count)
     if not np.isfinite(time).all():
         time = np.concatenate([block[:, 0] for block in usable])
-    return _examined(usable, options, facts, doubts, head, time)
+    return _examined(usable, options, facts, doubts, head, time, file)
 
 
 def _examined(
     blocks: list[Array],
     options: SbetOptions,
     facts: dict[str, str],
-    doubts: list[str],
+    doubts: list[Message],
     head: Array,
     time: Array,
+    file: str,
 ) -> Detection:
     """Detection from blocks of finite records, and all times where they are not too many."""
     table = np.vstack(blocks)
-    options, said = _unit_and_order(table, options)
-    doubts += said
+    options, found = _unit_and_order(table, options, file)
+    doubts += found
     if options.unit == "degrees":
         blocks = [_in_radians(block) for block in blocks]
     motions = [_motions(block) for block in blocks]
-    options, facts["Velocities"], said = velocity_frame(blocks, motions, options)
-    doubts += said
+    options, facts["Velocities"], found = velocity_frame(blocks, motions, options, file)
+    doubts += found
     if options.order == "longitude-latitude":
         blocks = [block[:, [0, 2, 1, *range(3, 17)]] for block in blocks]
         motions = [(exchanged, own) for own, exchanged in motions]
-    options, facts["Roll and pitch"], said = signs_of(blocks, options)
-    doubts += said
+    options, facts["Roll and pitch"], found = signs_of(blocks, options, file)
+    doubts += found
     bases = plausible(table[:, 0])
     if bases:
         options = replace(options, time=bases[0].key)
@@ -208,36 +213,31 @@ def _examined(
     facts.update(facts_of(unrolled(time)[0], latitude, longitude, height, speed))
     wander = np.degrees(table[:, 10])
     facts["Wander angle"] = f"{wander.min():.4f} to {wander.max():.4f} deg"
-    doubts += time_doubts(unrolled(time)[0], options.time)
+    doubts += time_doubts(unrolled(time)[0], options.time, file)
     if options.order == "latitude-longitude":
         headings = [
             block[:, 9] - (block[:, 10] if options.heading == "minus-wander" else 0)
             for block in blocks
         ]
-        doubts += course_doubts(motions, headings)
+        doubts += course_doubts(motions, headings, file)
     return Detection(options, facts, tuple(doubts), head)
 
 
-def _unit_and_order(table: Array, options: SbetOptions) -> tuple[SbetOptions, list[str]]:
+def _unit_and_order(
+    table: Array, options: SbetOptions, file: str
+) -> tuple[SbetOptions, list[Message]]:
     """Degrees for radians, and an order that the range of latitude rules out."""
     first, second = (float(np.abs(table[:, k]).max()) for k in (1, 2))
     if max(first, second) > 2 * np.pi:
         if max(first, second) > 360:
-            return options, [
-                f"Latitude and longitude reach {max(first, second):.6g} and can be neither "
-                "radians nor degrees; choose the format the file has."
-            ]
-        said = ["Latitude and longitude look like degrees; all angles are taken to be in degrees."]
+            return options, [warning("sbet.not_angles", file=file, largest=max(first, second))]
+        found = [warning("sbet.degrees_assumed", file=file)]
         if np.abs(table[:, 9]).max() <= 2 * np.pi:
-            said.append(
-                "The heading stays below 6.3 and may be in radians although the positions are in "
-                "degrees; export the file in radians to be sure."
-            )
-        return replace(options, unit="degrees"), said
+            found.append(warning("sbet.heading_in_radians", file=file))
+        return replace(options, unit="degrees"), found
     if first > np.pi / 2 and second <= np.pi / 2:
         return replace(options, order="longitude-latitude"), [
-            "The first of the two positions exceeds 90 deg, so longitude is taken to stand before "
-            "latitude."
+            warning("sbet.longitude_first", file=file)
         ]
     return options, []
 

@@ -1,4 +1,4 @@
-"""What the motion in an SBET tells about its velocity frame, heading and signs.
+"""Velocity frame, heading and signs of an SBET, detected from its motion.
 
 The frame of the velocities shows when they are compared with the positions, and with it whether the
 heading counts from the wander azimuth. The signs of roll and pitch show in the angular rates, where
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.io.sbet import AXES, SbetOptions, in_frame
 from lispac.io.trajectory_facts import MOVING, Motion, wrapped
+from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
 
@@ -23,36 +24,35 @@ FITTING, APART = 0.02, 3.0
 SMALLEST_WANDER = 1e-4
 """Radians below which a wander angle changes nothing."""
 
+_AXES_CODES = {
+    "wander-nwu": "axes.wander_nwu", "wander-ned": "axes.wander_ned", "ned": "axes.ned",
+    "enu": "axes.enu", "nwu": "axes.nwu", "neu": "axes.neu",
+}  # fmt: skip
+"""Code of the message that names velocity axes, by their key."""
+_SIGN_CODES = {
+    ("roll", "starboard-down"): "sign.roll_starboard_down",
+    ("roll", "port-down"): "sign.roll_port_down",
+    ("pitch", "bow-up"): "sign.pitch_bow_up",
+    ("pitch", "bow-down"): "sign.pitch_bow_down",
+}
+"""Code of the message that names the sign of an angle, by the angle and its option."""
+
 
 def velocity_frame(
-    blocks: Sequence[Array], motions: Sequence[tuple[Motion, Motion]], options: SbetOptions
-) -> tuple[SbetOptions, str, list[str]]:
+    blocks: Sequence[Array],
+    motions: Sequence[tuple[Motion, Motion]],
+    options: SbetOptions,
+    file: str,
+) -> tuple[SbetOptions, str, list[Message]]:
     """Frame of the velocities and what follows from it, by comparison with the positions."""
     velocity, wander, own, exchanged = _moving(blocks, motions)
     turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
-    unchecked = (
-        ""
-        if turns < SMALLEST_WANDER
-        else " The platform heading is taken less the wander angle, after Applanix."
-    )
+    has_wander = turns >= SMALLEST_WANDER
+    unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
     if not any(np.any(block[:, 4:7]) for block in blocks):
-        return (
-            options,
-            "all zero",
-            [
-                "All velocities are zero, so neither their axes nor the wander angle could be "
-                "checked against the course." + unchecked
-            ],
-        )
+        return options, "all zero", [warning("sbet.zero_velocities", file=file), *unchecked]
     if len(velocity) < 20:
-        return (
-            options,
-            "not checked",
-            [
-                "The carrier hardly moves in the part looked at, so the velocities could not be "
-                "checked against the course." + unchecked
-            ],
-        )
+        return options, "not checked", [warning("sbet.too_slow", file=file), *unchecked]
     misfits = {
         key: _misfit(in_frame(key, velocity, wander), own) for key in AXES if key != "unknown"
     }
@@ -62,31 +62,20 @@ def velocity_frame(
         if swapped <= FITTING and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
-            chosen, fact, said = velocity_frame(blocks, again, chosen)
-            return (
-                chosen,
-                fact,
-                [
-                    "Longitude is taken to stand before latitude: only then do the velocities "
-                    "agree with the positions.",
-                    *said,
-                ],
-            )
-        return (
-            options,
-            "agree with the positions in no known frame",
-            [
-                "The velocities agree with the positions in no known frame (the best, "
-                f"{AXES[best]}, misses by {100 * misfits[best]:.0f} % of the speed); check axes, "
-                "unit and heading." + unchecked
-            ],
-        )
+            chosen, fact, found = velocity_frame(blocks, again, chosen, file)
+            order = warning("sbet.longitude_first_by_velocity", file=file)
+            return chosen, fact, [order, *found]
+        disagree = warning(
+            "sbet.velocities_disagree", file=file, axes=note(_AXES_CODES[best]),
+            share=misfits[best],
+        )  # fmt: skip
+        return options, "agree with the positions in no known frame", [disagree, *unchecked]
     fact = f"{AXES[best]} (agree with the positions to {100 * misfits[best]:.2g} % of the speed)"
     chosen = replace(options, axes=best)
     limit = max(APART * misfits[best], misfits[best] + 0.003)
     rivals = [key for key in misfits if key != best and misfits[key] < limit]
     if not rivals and turns >= SMALLEST_WANDER:
-        return _heading_of(chosen, blocks, motions, turns, fact)
+        return _heading_of(chosen, blocks, motions, turns, fact, file)
     if turns < SMALLEST_WANDER:
         # Without a wander angle its frames are those counted from north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
@@ -94,15 +83,9 @@ def velocity_frame(
         rivals = plain[1:]
         if not rivals:
             return chosen, fact, []
-    others = " or ".join(AXES[key] for key in rivals)
-    return (
-        chosen,
-        fact,
-        [
-            f"The velocities fit the axes {others} about as well: the motion looked at does not "
-            "tell them apart." + unchecked
-        ],
-    )
+    others = tuple(note(_AXES_CODES[key]) for key in rivals)
+    several = warning("sbet.several_axes", file=file, axes=others)
+    return chosen, fact, [several, *unchecked]
 
 
 def _heading_of(
@@ -111,8 +94,9 @@ def _heading_of(
     motions: Sequence[tuple[Motion, Motion]],
     turns: float,
     fact: str,
-) -> tuple[SbetOptions, str, list[str]]:
-    """What a frame found beyond doubt tells about the heading, where there is a wander angle."""
+    file: str,
+) -> tuple[SbetOptions, str, list[Message]]:
+    """Settle the heading by a velocity frame without rivals, where there is a wander angle."""
     if chosen.axes.startswith("wander"):
         return replace(chosen, heading="minus-wander"), fact, []
     offsets = []
@@ -127,25 +111,13 @@ def _heading_of(
     less, whole = offsets
     # A vessel's drift angle exceeds 15 deg rarely; smaller wander angles cannot be told from it.
     if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
-        heading = "minus-wander" if less < whole else "as-is"
-        return (
-            replace(chosen, heading=heading),
-            fact,
-            [
-                f"The heading is taken {heading.replace('-', ' ')}: it then follows the course to "
-                f"{np.degrees(min(less, whole)):.1f} deg instead of "
-                f"{np.degrees(max(less, whole)):.1f}."
-            ],
-        )
-    return (
-        chosen,
-        fact,
-        [
-            "The velocities count from true north although there is a wander angle (up to "
-            f"{np.degrees(turns):.2f} deg), so the heading may do so too; it is taken less the "
-            "wander angle, after Applanix: check with the writer of the file."
-        ],
-    )
+        used, other = min(less, whole), max(less, whole)
+        if less < whole:
+            settled = warning("sbet.heading_less_wander", file=file, used=used, other=other)
+            return replace(chosen, heading="minus-wander"), fact, [settled]
+        settled = warning("sbet.heading_as_is", file=file, used=used, other=other)
+        return replace(chosen, heading="as-is"), fact, [settled]
+    return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=turns)]
 
 
 def _moving(
@@ -183,50 +155,38 @@ def _misfit(velocity: Array, truth: Array) -> float:
     return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
 
 
-def signs_of(blocks: Sequence[Array], options: SbetOptions) -> tuple[SbetOptions, str, list[str]]:
+def signs_of(
+    blocks: Sequence[Array], options: SbetOptions, file: str
+) -> tuple[SbetOptions, str, list[Message]]:
     """Signs of roll and pitch by the angular rates of the body.
 
     A positive rate about the forward axis takes the starboard side down whether y is to starboard
     or to port; the rate about y raises the bow in the first case and lowers it in the second, and
     the rate about z against the heading tells which case it is.
     """
-    stated = "as Applanix states: roll positive starboard down, pitch positive bow up"
+    check = (Action("check_sign", {"name": "pitch"}),)
     if not any(np.any(block[:, 14:17]) for block in blocks):
-        return (
-            options,
-            "signs not checked",
-            [
-                "All angular rates are zero, so the signs of roll and pitch could not be checked; "
-                f"they are taken {stated}."
-            ],
-        )
+        zero = warning("sbet.zero_rates", file=file, actions=check)
+        return options, "signs not checked", [zero]
     roll, pitch, heading = (_agreement(blocks, 7 + k, 14 + k) for k in range(3))
-    facts, doubts = [], []
+    facts, signs, doubts = [], [], []
     if roll is not None:
         options = replace(options, roll="starboard-down" if roll > 0 else "port-down")
         facts.append(f"roll positive {options.roll.replace('-', ' ')}")
+        signs.append(note(_SIGN_CODES["roll", options.roll]))
     if pitch is not None and heading is not None:
         options = replace(options, pitch="bow-up" if pitch * heading > 0 else "bow-down")
         facts.append(f"pitch positive {options.pitch.replace('-', ' ')}")
+        signs.append(note(_SIGN_CODES["pitch", options.pitch]))
     if len(facts) < 2:
-        unknown = " and ".join(
-            name
-            for name, known in (
-                ("roll", roll is not None),
-                ("pitch", len(facts) == 2 or (pitch is not None and heading is not None)),
-            )
-            if not known
-        )
-        doubts.append(
-            f"The motion looked at is too small to check the sign of {unknown} against the "
-            f"angular rates; it is taken {stated}."
-        )
+        unknown = []
+        if roll is None:
+            unknown.append(note("quantity.roll"))
+        if pitch is None or heading is None:
+            unknown.append(note("quantity.pitch"))
+        doubts.append(warning("sbet.signs_not_checked", file=file, angles=unknown, actions=check))
     if facts and (options.roll == "port-down" or options.pitch == "bow-down"):
-        doubts.append(
-            "The angular rates say that signs differ from Applanix's: "
-            f"{', '.join(facts)}. This holds if the rates are in the writer's own body axes, "
-            "x forward; check with the writer of the file."
-        )
+        doubts.append(warning("sbet.other_signs", file=file, signs=signs, actions=check))
     return (
         options,
         ", ".join(facts) + " (by the angular rates)" if facts else "signs not checked",

@@ -1,4 +1,4 @@
-"""What a look at the first points of a file tells, and the doubts that numbers alone can raise."""
+"""Frame and bounds of the first points of a file, and warnings that their numbers give."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -7,7 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.points import COARSEST_TIME, GEOREFERENCED, NO_SYSTEM, SCANNER, coarseness
+from lispac.io.points import (
+    CHOOSE_FRAME,
+    CHOOSE_SYSTEM,
+    COARSEST_TIME,
+    GEOREFERENCED,
+    NO_SYSTEM,
+    SCANNER,
+    coarseness,
+)
+from lispac.messages import Message, warning
 from lispac.survey.crs import ELLIPSOID, coordinate_system
 from lispac.survey.time_quality import time_quality
 from lispac.survey.time_restart import counted_on, restart_of
@@ -22,22 +31,28 @@ MANY, TYPICAL = 100, 0.99
 
 @dataclass(frozen=True)
 class Sight:
-    """What a look at the first points tells; see `sight`.
+    """Frame and bounds of the first points; see `sight`.
 
     Attributes
     ----------
     frame : str
     facts : dict
-    doubts : tuple of str
+    doubts : tuple of Message
     """
 
     frame: str
     facts: dict[str, str]
-    doubts: tuple[str, ...]
+    doubts: tuple[Message, ...]
 
 
 def sight(
-    xyz: Array, time: NDArray[Any], *, crs: str, low: Array | None = None, high: Array | None = None
+    xyz: Array,
+    time: NDArray[Any],
+    *,
+    file: str,
+    crs: str,
+    low: Array | None = None,
+    high: Array | None = None,
 ) -> Sight:
     """Judge a file by its first points.
 
@@ -45,12 +60,14 @@ def sight(
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
     time : ndarray of shape (n,), seconds
+    file : str
+        Name of the file.
     crs : str
         What the file says of its coordinate system; empty where nothing.
     low, high : ndarray of shape (3,), frame and unit of the file
         Bounds the header states, where it does.
     """
-    doubts: list[str] = []
+    doubts: list[Message] = []
     is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999 say
     if is_filled.any() and not is_filled.all():
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
@@ -69,63 +86,42 @@ def sight(
     away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
     on_map = bool(crs) or farthest > 10 * FAR
     if on_map and not crs:
-        doubts.append(
-            f"Coordinates up to {farthest:,.0f} are too large for the scanner frame and the file "
-            f"{NO_SYSTEM}: give its EPSG code."
-        )
+        doubts.append(warning(NO_SYSTEM, file=file, largest=farthest, actions=(CHOOSE_SYSTEM,)))
         if away == 0 and farthest < 1000 * FAR:
-            doubts.append(
-                "The points lie all around the origin, as a scanner's do: where these are "
-                "millimetres, choose the scanner frame and that unit."
-            )
+            doubts.append(warning("points.around_origin", file=file, actions=(CHOOSE_FRAME,)))
     elif crs and farthest < FAR and not _is_geographic(crs):
-        doubts.append(
-            "The file names a coordinate system, but its coordinates are small enough for the "
-            "scanner frame: check which it is."
-        )
+        doubts.append(warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME,)))
     elif not on_map and farthest > FAR:
         doubts.append(
-            f"Points lie up to {farthest:,.0f} from the origin, farther than a vessel's scanner "
-            "sees: check the frame and the unit (feet, millimetres?)."
+            warning("points.far_from_origin", file=file, distance=farthest, actions=(CHOOSE_FRAME,))
         )
     elif not on_map and away > max(3 * size, 200.0):
         doubts.append(
-            f"All points lie {away:,.0f} or more from the origin, so it is hardly the scanner: "
-            "check the frame."
+            warning("points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME,))
         )
     elif len(xyz) > 100 and _looks_geographic(low, high) and (high - low)[:2].max() < 0.02:
-        doubts.append(
-            "The first two coordinates vary by less than 0.02: these may be degrees of longitude "
-            "and latitude; check the frame."
-        )
-    return Sight(
-        GEOREFERENCED if on_map else SCANNER, facts, (*doubts, *_time_doubts(time, len(xyz)))
-    )
+        doubts.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
+    doubts += _time_doubts(time, len(xyz), file)
+    return Sight(GEOREFERENCED if on_map else SCANNER, facts, tuple(doubts))
 
 
-def _time_doubts(time: NDArray[Any], count: int) -> tuple[str, ...]:
-    """Doubts about ``time`` (n,), seconds as stored."""
+def _time_doubts(time: NDArray[Any], count: int, file: str) -> tuple[Message, ...]:
+    """Warnings about ``time`` (n,), seconds as stored."""
     doubts = []
     step = coarseness(time)
     hidden = time_quality(time).resolution if time.dtype == np.float64 and count > 100 else None
     if step > COARSEST_TIME / 10:
-        doubts.append(f"Times are stored with 32 bits, in steps of {step:.3g} s: export with 64.")
+        doubts.append(warning("times.coarse", file=file, step=step))
     elif hidden is not None and hidden > COARSEST_TIME:
-        doubts.append(
-            f"Times look as if they had passed through 32 bits (steps of {hidden:.3g} s): "
-            "points may be put on the wrong pose; export with 64-bit time."
-        )
+        doubts.append(warning("times.coarse", file=file, step=hidden))
     if np.issubdtype(time.dtype, np.integer):
-        doubts.append("Times are whole numbers: check their unit.")
+        doubts.append(warning("times.whole_numbers", file=file))
     elif count > 1 and (time == time[0]).all():
-        doubts.append("All points looked at share one time: the file may hold no times.")
+        doubts.append(warning("times.all_equal", file=file))
     whole = time.astype(np.float64)
     backward = int(np.count_nonzero(np.diff(counted_on(whole, restart_of(whole))) < 0))
     if backward:
-        doubts.append(
-            f"Times run backward {backward:,} times in the first {count:,} points; "
-            "points are taken in the order of the file."
-        )
+        doubts.append(warning("times.decreasing_points", file=file, count=backward, total=count))
     return tuple(doubts)
 
 

@@ -20,7 +20,8 @@ from lispac.io.points import (
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
 from lispac.io.text_export import LINE_AND_TIME, SCANNER_NAMES
-from lispac.messages import error
+from lispac.messages import error, warning
+from lispac.survey.source import printable
 
 FIRST_LIDAR = 5
 """Column of the scanner's x: line, time and three coordinates on the map or in the local frame come
@@ -44,8 +45,9 @@ def look(path: Path, choice: Choice) -> Finding:
         Where the file cannot be read or is damaged.
     """
     chunk = _read(require_filled(path, "target"))
+    file = printable(path.name)
     settled = TARGETS.settled(choice)
-    seen = sight(chunk.xyz, chunk.time, crs="")
+    seen = sight(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
         "format": "target as CSV",
         "points": f"{len(chunk.time):,}",
@@ -54,9 +56,9 @@ def look(path: Path, choice: Choice) -> Finding:
         **seen.facts,
         "assumed": "LiDAR coordinates are taken; points and trajectory share one time base",
     }
-    doubt = "A target holds its points on all lines, not one line."
     rows = table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
-    return Finding(facts, rows, {}, (doubt, *seen.doubts))
+    of_one_target = warning("points.of_one_target", file=file)
+    return Finding(facts, rows, {}, (of_one_target, *seen.doubts))
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.points import (
+    CHOOSE_TIME_BASE,
     CHUNK,
     HEAD,
     PLACE,
@@ -21,6 +22,7 @@ from lispac.io.points import (
     SCANNER_UNITS,
     SECONDS,
     TIME_UNIT,
+    USE_FEET,
     place_facts,
     plainly,
     require_filled,
@@ -43,7 +45,8 @@ from lispac.io.text_units import (
     unit_doubts,
     unit_messages,
 )
-from lispac.messages import error
+from lispac.messages import Message, error, warning
+from lispac.survey.source import printable
 
 COLUMNS = Option(
     "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
@@ -79,6 +82,7 @@ def look(path: Path, choice: Choice) -> Finding:
         Where the file cannot be read or holds no rows of numbers.
     """
     path = require_filled(path, "text")
+    file = printable(path.name)
     found, layout, lines = _detected(path)
     if not choice.get("columns"):
         require_degrees(path, layout)
@@ -97,17 +101,18 @@ def look(path: Path, choice: Choice) -> Finding:
         "columns": settled["columns"] or "not named",
     }
     if not columns:
-        doubt = "The file does not name its columns: name them from the left, time x y z at least."
-        return Finding({**facts, **place_facts(settled)}, preview, found, (doubt,))
+        not_named = warning("text.columns_not_named", file=file)
+        return Finding({**facts, **place_facts(settled)}, preview, found, (not_named,))
     chunk = next(_chunks(path, settled, PREVIEW), None)
     if chunk is None:
         raise InputError(error("line.no_points", file=str(path)))
     require_points(chunk.xyz, chunk.time, path)
     chunk = usable_points(chunk)
     metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
-    seen = sight(metres * chunk.xyz, chunk.time, crs=str(choice.get("crs", "")))
+    crs = str(choice.get("crs", ""))
+    seen = sight(metres * chunk.xyz, chunk.time, file=file, crs=crs)
     found["frame"] = seen.frame
-    units, crs = layout.units(), str(choice.get("crs", ""))
+    units = layout.units()
     if crs and (unit := height_unit_of(units, crs)):
         found["height_unit"] = unit
     settled = _settled(found, choice)
@@ -121,16 +126,14 @@ def look(path: Path, choice: Choice) -> Finding:
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
-    doubts: tuple[str, ...] = ()
+    doubts: tuple[Message, ...] = ()
     if feet and "unit" not in header_options(layout):
-        doubts = ("The head of the file speaks of feet: check the unit.",)
+        doubts = (warning("points.feet_in_header", file=file, actions=USE_FEET),)
     if crs and units:
-        doubts = unit_doubts(units, crs)  # the names say which, and which does not fit
+        doubts = unit_doubts(units, crs, file)  # the names say which, and which does not fit
     if not settled["time_base"] and "time" in columns and is_clock(shown[0][columns.index("time")]):
-        doubts += (
-            "Times are as hh:mm:ss; the file does not say whether they are UTC: choose the time "
-            "base (utc-day or gps-day).",
-        )
+        actions = (CHOOSE_TIME_BASE,)
+        doubts += (warning("times.clock_without_base", file=file, actions=actions),)
     messages = tuple(unit_messages(path, layout, choice))
     return Finding(facts, preview, found, (*doubts, *seen.doubts), messages=messages)
 

@@ -7,9 +7,9 @@ from lispac.errors import InputError
 from lispac.io.points import SCANNER_UNITS
 from lispac.io.registry import Choice
 from lispac.io.text_layout import BEAMS, TIME_BASES, Layout, bare_name, equal_columns
-from lispac.io.trajectory_grid import LENGTH_WORDS, LENGTHS
+from lispac.io.trajectory_grid import LENGTH_MESSAGES, LENGTHS
 from lispac.io.units import ANGLE_CODES, UNKNOWN, direction_of
-from lispac.messages import Action, Level, Message, error
+from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.source import printable
@@ -123,19 +123,20 @@ def height_unit_of(units: Mapping[str, str], crs: str) -> str:
     return next((name for name, metres in SYSTEM_UNITS.items() if metres == LENGTHS[unit]), "")
 
 
-def unit_doubts(units: Mapping[str, str], crs: str) -> tuple[str, ...]:
-    """A sentence where eastings by their name are in another unit than the system's."""
+def unit_doubts(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
+    """A warning where eastings by their name are in another unit than the system's."""
     unit, system = units.get("x", ""), _system(crs)
     if unit not in LENGTHS or system is None or system.is_geographic:
         return ()
     own = system.metres[0]
     if (unit == "ft" and "foot" in system.unit) or abs(LENGTHS[unit] / own - 1) < 1e-9:
         return ()
-    said = LENGTH_WORDS[LENGTHS[unit]]
     return (
-        f"By the name of its column x is in {said}, but {system.name} is in {system.unit}: give "
-        "the code of the same system in the unit of the file, or export in that of the system.",
-    )
+        warning(
+            "points.unit_of_column", file=file, unit=LENGTH_MESSAGES[LENGTHS[unit]],
+            system=system.name, system_unit=system.unit,
+        ),
+    )  # fmt: skip
 
 
 def _system(crs: str) -> CoordinateSystem | None:

@@ -137,7 +137,7 @@ def trajectory_of(
     rows: Rows,
     columns: Sequence[Column],
     conventions: Conventions,
-    assumptions: tuple[str, ...],
+    assumptions: tuple[str | Message, ...],
 ) -> Trajectory:
     """Read a trajectory from rows of fields.
 
@@ -249,7 +249,7 @@ def _one(path: Path, columns: Sequence[Column], role: str) -> Column:
 def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> list[Column]:
     missing = missing_roles(columns)
     if missing:
-        raise InputError(_missing_columns(path, columns))
+        raise InputError(missing_columns(path, columns))
     roles = {column.role for column in columns}
     place = GRID if conventions.crs and roles.issuperset(GRID) else POSITION
     if not roles.issuperset(place):
@@ -262,7 +262,7 @@ def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> 
     return chosen + [column for column in columns if column.role in beside]
 
 
-def _missing_columns(path: Path, columns: Sequence[Column]) -> Message:
+def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
     """The message about columns that a trajectory lacks."""
     file, names = str(path), tuple(column.name for column in columns)
     if not names:
@@ -284,8 +284,8 @@ def _missing_columns(path: Path, columns: Sequence[Column]) -> Message:
 
 def map_doubts(
     path: Path, columns: Sequence[Column], conventions: Conventions, read: Trajectory
-) -> tuple[str, ...]:
-    """What there is to doubt about positions on the map, as they were read, and about heights.
+) -> tuple[Message, ...]:
+    """Warnings about positions on the map, as they were read, and about heights.
 
     Raises
     ------
@@ -298,8 +298,8 @@ def map_doubts(
     lengths.pop("northing", None)
     doubts = [length.doubt for length in lengths.values()]
     if grid is not None:
-        doubts.append(grid.doubt_of_place(read.latitude, read.longitude))
-    return tuple(doubt for doubt in doubts if doubt)
+        doubts.append(grid.place_warning(path, read.latitude, read.longitude))
+    return tuple(doubt for doubt in doubts if doubt is not None)
 
 
 def _grid_of(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:
@@ -321,9 +321,9 @@ def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[st
             is_angle = column.role in (*POSITION, *ATTITUDE)
             _require_kind(path, column, "an angle" if is_angle else "a length")
         if column.role in GRID and grid is not None:
-            lengths[column.role] = grid.unit(column.name, column.unit)
+            lengths[column.role] = grid.unit(column.name, column.unit, path)
         elif column.role in HEIGHTS:
-            lengths[column.role] = unit_of_heights(column.name, column.unit, grid)
+            lengths[column.role] = unit_of_heights(column.name, column.unit, grid, path)
     return lengths
 
 

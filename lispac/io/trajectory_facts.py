@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.frames import ECCENTRICITY_SQUARED, SEMI_MAJOR_AXIS
-from lispac.messages import Level, Message
+from lispac.messages import Action, Level, Message, warning
 from lispac.survey.source import printable
 from lispac.survey.time_base import base_of, plausible
 from lispac.survey.time_quality import time_quality
+from lispac.survey.time_stated import base_message
 from lispac.survey.trajectory import LONGEST_GAP
 
 Array = NDArray[np.float64]
@@ -27,6 +28,9 @@ FASTEST_VESSEL = 60.0
 
 MOST_CENTRES = 10_000
 """States of a block at which the velocity is taken; of more, every n-th."""
+
+SWAP_COORDINATES = Action("swap_coordinates", {"name": "order", "value": "longitude-latitude"})
+CHOOSE_TIME_BASE = Action("choose_time_base", {"name": "time"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,69 +143,74 @@ def duration_words(seconds: float) -> str:
     return f"{seconds:.1f} s"
 
 
-def time_doubts(time: Array, stated: str) -> tuple[str, ...]:
-    """What is doubtful about the times of a sample in the order of the file.
+def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:
+    """Warnings about the times of a sample in the order of the file.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
     stated : str
-        Key of the time base taken.
+        Key of the time base used.
+    file : str
+        Name of the file.
     """
-    doubts = list(time_quality(time).doubts)
+    doubts = list(time_quality(time).messages(file))
     bases = plausible(time)
+    start, end = float(time.min()), float(time.max())
     if not bases:
-        doubts.append(
-            f"Times from {time.min():.6g} to {time.max():.6g} s fit no known time base; check "
-            "which column or record is the time."
-        )
+        doubts.append(warning("trajectory.no_time_base", file=file, start=start, end=end))
     elif stated not in {base.key for base in bases}:
         doubts.append(
-            f"The times cannot be {stated}; by their values they are "
-            f"{' or '.join(base.name for base in bases)}."
-        )
+            warning(
+                "trajectory.other_time_base", file=file, start=start, end=end, base=stated,
+                bases=tuple(base.key for base in bases), actions=(CHOOSE_TIME_BASE,),
+            )
+        )  # fmt: skip
     else:
         # That UTC could be meant goes for any time of day or week; the base taken is stated.
         known = base_of(stated)
         others = [
-            base.name
+            base_message(base)
             for base in bases
             if base is not known and (base.period is None or base.period != known.period)
             if not (base.utc and base.period is not None)
         ]
         if others:
             doubts.append(
-                f"The times are taken as {known.name}; by their values alone they could also be "
-                f"{' or '.join(others)}."
-            )
-    return (*doubts, *gap_doubts(time, LONGEST_GAP))
+                warning(
+                    "times.several_bases", file=file, base=base_message(known), bases=others,
+                    actions=(CHOOSE_TIME_BASE,),
+                )
+            )  # fmt: skip
+    return (*doubts, *gap_doubts(time, LONGEST_GAP, file))
 
 
-UNUSABLE = "points in gaps cannot be used"
+GAPS = "trajectory.gaps"
+"""Code of the warning about gaps."""
 
 
-def gap_doubts(time: Array, longest_gap: float) -> tuple[str, ...]:
-    """What is said of gaps longer than ``longest_gap``.
+def gap_doubts(time: Array, longest_gap: float, file: str) -> tuple[Message, ...]:
+    """A warning about gaps longer than ``longest_gap``.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
     longest_gap : float, seconds
+    file : str
+        Name of the file.
     """
     steps = np.diff(time)
     if not len(steps) or float(steps.max()) <= longest_gap:
         return ()
     wide = int((steps > longest_gap).sum())
-    return (
-        f"The trajectory has {wide:,} gap{'s' if wide > 1 else ''} longer than {longest_gap:g} "
-        f"s, the longest {float(steps.max()):.1f} s; {UNUSABLE}.",
-    )
+    longest = float(steps.max())
+    return (warning(GAPS, file=file, count=wide, limit=longest_gap, longest=longest),)
 
 
 def course_doubts(
-    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array]
-) -> tuple[str, ...]:
-    """What course over ground says against heading, position and unit.
+    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array], file: str
+) -> tuple[Message, ...]:
+    """Warnings where the course over ground contradicts heading, position or unit.
 
     Parameters
     ----------
@@ -209,26 +218,20 @@ def course_doubts(
         Of each block of neighbouring states, as read and with latitude and longitude exchanged.
     headings : sequence of ndarray of shape (n,), radians
         Of each block.
+    file : str
+        Name of the file.
     """
     speeds = np.concatenate([motion.speed for motion, _ in motions] or [np.zeros(0)])
     fast = float(np.median(speeds)) if len(speeds) else 0.0
     if fast > FASTEST:
-        return (
-            f"The positions move at {fast:.4g} m/s; degrees may have been read as radians, or "
-            "the times may be in another unit.",
-        )
-    said: tuple[str, ...] = ()
+        return (warning("trajectory.impossible_speed", file=file, speed=fast),)
+    found: tuple[Message, ...] = ()
     if fast > FASTEST_VESSEL:
-        said = (
-            f"The positions move at {fast:.3g} m/s in the middle, faster than a vessel; check the "
-            "unit of the positions and of the times, and the coordinate system where there is one.",
-        )
+        found = (warning("trajectory.fast", file=file, speed=fast),)
     elif len(speeds) and float(speeds.max()) > FASTEST_VESSEL:
-        said = (
-            f"The positions jump: in places they move at up to {float(speeds.max()):,.0f} m/s, in "
-            f"the middle at {fast:.3g} m/s; look at the track and process the trajectory again.",
-        )
-    return (*said, *_heading_doubts(motions, headings))
+        largest = float(speeds.max())
+        found = (warning("trajectory.jumps", file=file, speed=fast, largest=largest),)
+    return (*found, *_heading_doubts(motions, headings, file))
 
 
 OTHER_UNIT, SAME_UNIT = np.radians(30.0), np.radians(10.0)
@@ -265,29 +268,20 @@ def angle_unit_messages(
 
 
 def _heading_doubts(
-    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array]
-) -> tuple[str, ...]:
+    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array], file: str
+) -> tuple[Message, ...]:
     differences = [
         _heading_differences([pair[which] for pair in motions], headings) for which in (0, 1)
     ]
     if min(len(difference) for difference in differences) < 20:
-        return (
-            "The carrier hardly moves in the part looked at, so heading and the order of latitude "
-            "and longitude could not be checked against the course.",
-        )
+        return (warning("trajectory.too_slow", file=file),)
     own, exchanged = (float(np.median(np.abs(difference))) for difference in differences)
     if own > np.pi / 4 and exchanged < np.pi / 8 and exchanged < own / 3:
-        return ("Latitude and longitude look exchanged: the course then follows the heading.",)
+        return (warning("trajectory.exchanged", file=file, actions=(SWAP_COORDINATES,)),)
     if own > 3 * np.pi / 4:
-        return (
-            "The heading points backward along the course; check that it is the bow's and "
-            "clockwise from north.",
-        )
+        return (warning("trajectory.heading_backward", file=file),)
     if own > np.pi / 4:
-        return (
-            f"Heading and course over ground differ by {np.degrees(own):.0f} deg in the middle; "
-            "check the heading, its unit and its sense.",
-        )
+        return (warning("trajectory.heading_differs", file=file, difference=own),)
     return ()
 
 

@@ -33,7 +33,7 @@ from lispac.io.exail import (
     sniff_exail,
     sniff_exail_accuracy,
 )
-from lispac.io.files import require_file, without_path
+from lispac.io.files import kind_of_file, require_file
 from lispac.io.pospac_text import (
     look_pospac,
     look_pospac_accuracy,
@@ -46,7 +46,9 @@ from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding, For
 from lispac.io.sbet import AXES, SMRMSG_RECORD, SbetOptions, read_sbet, read_smrmsg, sound_smrmsg
 from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet, end_fits
 from lispac.io.text_table import SEPARATORS
-from lispac.io.trajectory_preview import accuracy_facts
+from lispac.io.trajectory_preview import accuracy_facts, refusal_warning
+from lispac.messages import Message, warning
+from lispac.survey.source import printable
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -122,20 +124,25 @@ def _look_smrmsg(path: Path, choice: Choice) -> Finding:
     size = require_file(Path(path), "smrmsg").stat().st_size
     head = _smrmsg_head(path)
     rows = tuple(tuple(f"{value:.6g}" for value in row) for row in head[:5])
-    doubts: list[str] = []
-    if not size or size % SMRMSG_RECORD:
+    doubts: list[Message] = []
+    file, kind = printable(path.name), kind_of_file("smrmsg")
+    if not size:
+        doubts.append(warning("file.empty", file=file, kind=kind))
+    elif rest := size % SMRMSG_RECORD:
         doubts.append(
-            f"{size:,} bytes are not a whole number of {SMRMSG_RECORD}-byte records: the file is "
-            "empty, cut short or not smrmsg; copy or export it again."
-        )
+            warning(
+                "file.partial_record", file=file, kind=kind, size=size, record=SMRMSG_RECORD,
+                rest=rest,
+            )
+        )  # fmt: skip
     facts = {"Records": f"{size // SMRMSG_RECORD:,}"}
     if len(head) and not doubts:
         try:
-            found, said = accuracy_facts(read_smrmsg(path))
+            found, warnings = accuracy_facts(read_smrmsg(path), file)
             facts |= found
-            doubts += said
-        except InputError as error:
-            doubts.append(without_path(str(error), path))
+            doubts += warnings
+        except InputError as refused:
+            doubts.append(refusal_warning(refused, path))
     return Finding(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(doubts))
 
 

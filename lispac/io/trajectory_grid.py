@@ -1,5 +1,6 @@
 """Eastings, northings and heights of a trajectory: their unit, and their way to latitude."""
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,8 +10,9 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.units import UNITS
-from lispac.messages import error
+from lispac.messages import Message, error, note, warning
 from lispac.survey.crs_area import meant_elsewhere
+from lispac.survey.source import printable
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -23,6 +25,13 @@ UNSTATED = ""
 """Unit of a length of which the file says none."""
 LENGTH_WORDS = {unit.si: unit.words for unit in UNITS.values() if unit.kind == "length"}
 """Names of the units by the metres in them."""
+_LENGTH_CODES = {
+    "m": "unit.metres", "km": "unit.kilometres", "cm": "unit.centimetres", "mm": "unit.millimetres",
+    "ft": "unit.feet", "us-ft": "unit.us_survey_feet", "in": "unit.inches", "yd": "unit.yards",
+    "fathom": "unit.fathoms",
+}  # fmt: skip
+LENGTH_MESSAGES = {LENGTHS[unit]: note(code) for unit, code in _LENGTH_CODES.items()}
+"""Names of the units as parts of messages, by the metres in them."""
 
 
 @dataclass(frozen=True)
@@ -34,13 +43,13 @@ class Length:
     metres : float
     words : str
         Its name, and how it was settled.
-    doubt : str
-        What the user should look at; empty where nothing.
+    doubt : Message or None
+        What the user should check.
     """
 
     metres: float
     words: str
-    doubt: str = ""
+    doubt: Message | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +80,7 @@ class Grid:
         """Whether its axes count feet of some kind."""
         return "foot" in self.words or "feet" in self.words
 
-    def unit(self, name: str, stated: str) -> Length:
+    def unit(self, name: str, stated: str, path: Path) -> Length:
         """Unit of a column of eastings or northings called ``name``."""
         if stated == UNSTATED:
             return Length(
@@ -84,29 +93,34 @@ class Grid:
             return Length(
                 LENGTHS["ft"],
                 LENGTH_WORDS[LENGTHS["ft"]],
-                f"Column {name} is in feet, the file does not say which, and {self.text} is in "
-                f"{self.words}; feet of 0.3048 m are taken. US survey feet would put the "
-                "positions metres elsewhere: make sure which they are, and state it or name it in "
-                "the header.",
-            )
+                warning(
+                    "trajectory.feet_not_specified", file=printable(path.name), column=name,
+                    system=self.text, unit=self.unit_name,
+                ),
+            )  # fmt: skip
         return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
 
-    def doubt_of_place(self, latitude: Array, longitude: Array) -> str:
-        """That positions lie where the system is not meant for; empty where they do.
+    @property
+    def unit_name(self) -> Message | str:
+        """Name of the unit of its axes, as a part of messages."""
+        near = [name for m, name in LENGTH_MESSAGES.items() if abs(self.metres / m - 1) < 1e-9]
+        return near[0] if near else self.words
+
+    def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
+        """A warning where positions lie outside the area that the system is meant for.
 
         Parameters
         ----------
         latitude, longitude : ndarray of shape (n,), radians
         """
-        middle = np.degrees(np.median(latitude)), np.degrees(np.median(longitude))
-        elsewhere = meant_elsewhere(self.system, float(middle[0]), float(middle[1]))
-        if not elsewhere:
-            return ""
-        return (
-            f"In {self.text} ({self.system.name}) the positions lie at latitude {middle[0]:.1f}, "
-            f"longitude {middle[1]:.1f} deg, and it is meant for {elsewhere}: check the coordinate "
-            "system, the unit of eastings and northings (feet, metres), and their order."
-        )
+        middle = float(np.median(latitude)), float(np.median(longitude))
+        area = meant_elsewhere(self.system, *map(math.degrees, middle))
+        if not area:
+            return None
+        return warning(
+            "trajectory.other_area", file=printable(path.name), system=self.text,
+            name=self.system.name, latitude=middle[0], longitude=middle[1], area=area,
+        )  # fmt: skip
 
     def to_geodetic(self, path: Path, easting: Array, northing: Array) -> tuple[Array, ...]:
         """Latitude, longitude and meridian convergence, each of shape (n,), radians.
@@ -176,7 +190,7 @@ def grid_of(path: Path, text: str) -> Grid:
     )
 
 
-def unit_of_heights(name: str, stated: str, grid: Grid | None) -> Length:
+def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> Length:
     """Unit of a column of heights called ``name``; metres where nobody says otherwise."""
     own = None if grid is None else grid.height_metres
     if stated == UNSTATED:
@@ -184,13 +198,12 @@ def unit_of_heights(name: str, stated: str, grid: Grid | None) -> Length:
             return Length(
                 own, f"{grid.height_words}, as in the coordinate system (the file names no unit)"
             )
-        doubt = ""
+        doubt = None
         if grid is not None and grid.in_feet:
-            doubt = (
-                f"No unit is stated for the heights in column {name}, and eastings and northings "
-                f"are in {grid.words}; metres are taken: make sure, and state feet if they are, "
-                "or name them in the header."
-            )
+            doubt = warning(
+                "trajectory.height_unit_not_stated", file=printable(path.name), column=name,
+                unit=grid.unit_name,
+            )  # fmt: skip
         return Length(1.0, "metres (no unit is stated)", doubt)
     if stated == "ft" and grid is not None and grid.in_feet:
         return Length(grid.metres, f"{grid.words}, the feet of the coordinate system")

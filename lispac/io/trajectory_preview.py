@@ -1,4 +1,4 @@
-"""A look into a trajectory of text: a part of it read, its facts and its doubts."""
+"""Preview of a trajectory of text: facts and warnings from its first and last rows."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.files import without_path
+from lispac.io.files import message_about
 from lispac.io.registry import Choice, Finding
 from lispac.io.text_table import encoding_of, fields_of, is_data, last_lines
 from lispac.io.trajectory_columns import (
@@ -18,6 +18,7 @@ from lispac.io.trajectory_columns import (
     Rows,
     accuracy_of,
     map_doubts,
+    missing_columns,
     missing_roles,
     trajectory_of,
 )
@@ -32,6 +33,8 @@ from lispac.io.trajectory_facts import (
 )
 from lispac.io.trajectory_velocities import speed_doubts
 from lispac.io.units import UNITS
+from lispac.messages import Action, Level, Message, warning
+from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
@@ -51,7 +54,7 @@ class TextLayout:
     rows : callable
         Path to the rows of data, each with its number in the file.
     facts : dict of str to str
-    doubts : tuple of str
+    doubts : tuple of Message
     velocities : tuple of Column
         East and north velocity, each with the unit of its length; empty where there are none.
     """
@@ -61,14 +64,15 @@ class TextLayout:
     separator: str
     rows: Callable[[Path], Rows]
     facts: dict[str, str]
-    doubts: tuple[str, ...] = ()
+    doubts: tuple[Message, ...] = ()
     velocities: tuple[Column, ...] = ()
 
 
 def look_at_text(
     path: Path, layout: TextLayout, conventions: Conventions, choice: Choice
 ) -> Finding:
-    """Facts, first rows and doubts of a trajectory of text, from its first and last rows."""
+    """Facts, first rows and warnings of a trajectory of text, from its first and last rows."""
+    file = printable(path.name)
     head = list(islice(layout.rows(path), HEAD_ROWS))
     facts = {
         **layout.facts,
@@ -79,21 +83,22 @@ def look_at_text(
     missing = missing_roles(layout.columns)
     doubts = list(layout.doubts)
     if missing:
-        doubts.append(f"The columns lack {', '.join(missing)}; a trajectory needs them.")
+        lacking = missing_columns(path, layout.columns)
+        doubts.append(replace(lacking, level=Level.WARNING))
         return Finding(facts, rows, choice, tuple(doubts))
     try:
         first = trajectory_of(path, iter(head), layout.columns, conventions, ())
-    except InputError as error:
-        doubts.append(without_path(str(error), path))
+    except InputError as refused:
+        doubts.append(refusal_warning(refused, path))
         return Finding(facts, rows, choice, tuple(doubts))
     doubts += map_doubts(path, layout.columns, conventions, first)
-    whole, said = _with_tail(path, layout, conventions, first, head)
+    whole, tail_doubts = _with_tail(path, layout, conventions, first, head)
     motion, exchanged = _motions(first)
     speed = motion.speed
     facts |= facts_of(whole.time, whole.latitude, whole.longitude, whole.height, speed)
-    doubts += said
-    doubts += time_doubts(first.time, conventions.time)
-    doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]])
+    doubts += tail_doubts
+    doubts += time_doubts(first.time, conventions.time, file)
+    doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]], file)
     doubts += speed_doubts(path, head, layout.velocities, motion)
     unit = next(column.unit for column in layout.columns if column.role == "heading")
     messages = angle_unit_messages(path, motion, first.attitude[:, 2], UNITS[unit].si)
@@ -114,25 +119,27 @@ def _motions(first: Trajectory) -> tuple[Motion, Motion]:
 
 
 def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> Finding:
-    """Facts and doubts of standard deviations in text, from the first rows."""
+    """Facts and warnings of standard deviations in text, from the first rows."""
     head = list(islice(layout.rows(path), HEAD_ROWS))
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
     facts = {**layout.facts, "Columns": ", ".join(layout.names) or "not known"}
     try:
         accuracy = accuracy_of(path, iter(head), layout.columns, conventions)
-    except InputError as error:
+    except InputError as refused:
         return Finding(
             facts,
             rows,
             {"time": conventions.time},
-            (*layout.doubts, without_path(str(error), path)),
+            (*layout.doubts, refusal_warning(refused, path)),
         )
-    found, doubts = accuracy_facts(accuracy)
+    found, doubts = accuracy_facts(accuracy, printable(path.name))
     return Finding(facts | found, rows, {"time": conventions.time}, (*layout.doubts, *doubts))
 
 
-def accuracy_facts(accuracy: TrajectoryAccuracy) -> tuple[dict[str, str], tuple[str, ...]]:
-    """Span and size of standard deviations, and what is doubtful about them."""
+def accuracy_facts(
+    accuracy: TrajectoryAccuracy, file: str
+) -> tuple[dict[str, str], tuple[Message, ...]]:
+    """Span, size and warnings of standard deviations of the file called ``file``."""
     time, doubts = accuracy.time, []
     facts = {
         "Start": f"{time[0]:.3f} s",
@@ -145,13 +152,35 @@ def accuracy_facts(accuracy: TrajectoryAccuracy) -> tuple[dict[str, str], tuple[
     for name, values in zip(("roll", "pitch", "heading"), attitude.T, strict=True):
         facts[f"Sigma {name}"] = f"{values.min():.4f} to {values.max():.4f} deg"
     if not position.any() or not attitude.any():
-        doubts.append("Standard deviations are all zero; the file holds no accuracy.")
+        doubts.append(warning("accuracy.all_zero", file=file))
     if np.median(attitude) > 1 or np.median(position) > 100:
         doubts.append(
-            "Standard deviations are large (in the middle "
-            f"{np.median(position):.3g} m and {np.median(attitude):.3g} deg); check their unit."
-        )
+            warning(
+                "accuracy.large", file=file, position=float(np.median(position)),
+                attitude=float(np.median(accuracy.attitude)),
+            )
+        )  # fmt: skip
     return facts, tuple(doubts)
+
+
+_SIGNS_ASSUMED = {
+    ("roll", "starboard-down"): "trajectory.roll_starboard_down",
+    ("roll", "port-down"): "trajectory.roll_port_down",
+    ("pitch", "bow-up"): "trajectory.pitch_bow_up",
+    ("pitch", "bow-down"): "trajectory.pitch_bow_down",
+}
+"""Code of the warning that a sign is assumed, by the angle and its option."""
+
+
+def sign_assumed(path: Path, angle: str, sign: str) -> Message:
+    """The warning that a file does not state the sign of roll or pitch."""
+    code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
+    return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
+
+
+def refusal_warning(refused: InputError, path: Path) -> Message:
+    """The message of an error as a warning, with the name of the file instead of its path."""
+    return replace(message_about(refused, path), level=Level.WARNING)
 
 
 def has_sigmas(columns: Sequence[Column]) -> bool:
@@ -165,7 +194,7 @@ def _with_tail(
     conventions: Conventions,
     first: Trajectory,
     head: Sequence[tuple[int, list[str]]],
-) -> tuple[Trajectory, list[str]]:
+) -> tuple[Trajectory, list[Message]]:
     """First and last rows as one trajectory; the first alone where the last do not fit it."""
     if len(head) < HEAD_ROWS:
         return first, []
@@ -176,10 +205,7 @@ def _with_tail(
     try:
         return trajectory_of(path, rows, layout.columns, conventions, ()), []
     except InputError:
-        return first, [
-            "The last rows do not go on from the first ones: the file may be cut short or its "
-            "times run backward. The facts are those of the first rows; reading names the row."
-        ]
+        return first, [warning("trajectory.last_rows", file=printable(path.name))]
 
 
 def _tail(path: Path, layout: TextLayout) -> Rows:

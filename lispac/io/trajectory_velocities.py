@@ -13,6 +13,8 @@ from lispac.io.text_table import columns_of, number
 from lispac.io.trajectory_columns import Column
 from lispac.io.trajectory_facts import MOVING, Motion
 from lispac.io.trajectory_grid import LENGTHS
+from lispac.messages import Level, Message, Value
+from lispac.survey.source import printable
 
 _NAMES = {
     "east_velocity": ("eastvelocity", "velocityeast", "eastvel", "veleast", "veast", "ve"),
@@ -47,8 +49,8 @@ def speed_doubts(
     rows: Sequence[tuple[int, list[str]]],
     velocities: Sequence[Column],
     motion: Motion,
-) -> tuple[str, ...]:
-    """A sentence where positions move at another speed than the velocities of the same rows."""
+) -> tuple[Message, ...]:
+    """A warning where positions move at another speed than the velocities of the same rows."""
     if not velocities:
         return ()
     try:
@@ -66,8 +68,9 @@ def speed_doubts(
     # Velocities in a unit that is not known may be knots; those of feet and metres show alone.
     if abs(ratio - 1) <= OFF or (factor is None and not by_feet):
         return ()
-    hint = ": as where feet are taken for metres, or metres for feet" if by_feet else ""
-    return (
-        f"The positions move at {ratio:.3g} times the speed in {velocities[0].name} and "
-        f"{velocities[1].name}{hint}; check the unit of the positions and the coordinate system.",
-    )
+    code = "trajectory.speed_differs_by_feet" if by_feet else "trajectory.speed_differs"
+    params: dict[str, Value] = {
+        "file": printable(path.name), "ratio": ratio, "east": velocities[0].name,
+        "north": velocities[1].name,
+    }  # fmt: skip
+    return (Message(code, Level.WARNING, params),)

@@ -15,6 +15,7 @@ from lispac.message_texts import (
     calibration,
     checking,
     commands,
+    file_checks,
     importing,
     importing_steps,
     items,
@@ -45,6 +46,7 @@ TOPICS = (
     calibration,
     checking,
     commands,
+    file_checks,
     importing,
     importing_steps,
     items,
@@ -74,8 +76,33 @@ ACTIONS: Mapping[str, Template] = {
     "set_option": N_("Set {name} to {value}"),
     "exclude_line": N_("Exclude {line}"),
     "split_line": N_("Split {line} into lines by {by}"),
+    # -- how a file is read ------------------------------------------------------------------
+    "use_degrees": N_("Use degrees"),
+    "use_feet": N_("Use feet of 0.3048 m"),
+    "use_us_survey_feet": N_("Use US survey feet"),
+    "swap_coordinates": N_("Swap latitude and longitude"),
+    "clear_time_base": N_("Clear the time base"),
+    "ignore_rollover": N_("Ignore the time rollover"),
+    "choose_system": N_("Choose the coordinate system"),
+    "check_system": N_("Check the coordinate system"),
+    "choose_vertical_reference": N_("Choose the vertical reference"),
+    "choose_frame": N_("Choose the frame"),
+    "choose_time_base": N_("Choose the time base"),
+    "check_sign": N_("Check the sign"),
+    "detect_columns": N_("Detect the columns again"),
+    # -- files of a survey -------------------------------------------------------------------
+    "leave_out": N_("Leave the file out"),
+    "keep_one_line": N_("Keep as one line"),
+    "shift_times": N_("Add {shift:s.0+} s"),
+    "clear_shift": N_("Clear the time shift"),
+    "bridge_gaps": N_("Bridge gaps up to {gap:s.1} s"),
 }
 """English label of each action code, as on a button."""
+
+ACTION_TIPS: Mapping[str, Template] = {
+    "shift_times": N_("Points in {points}, trajectory in {trajectory}"),
+}
+"""English tooltip of an action code, for actions that have one."""
 
 
 def message_text(message: Message) -> str:
@@ -89,9 +116,20 @@ def english_text(message: Message) -> str:
         return message_text(message)
 
 
+def note_text(note: str | Message) -> str:
+    """Text of a note of an import, which has a message or is a text of its own."""
+    return note if isinstance(note, str) else message_text(note)
+
+
 def action_text(action: Action) -> str:
     """Label of an action in the language in use, as on a button."""
-    return _one_line(text_of(ACTIONS[action.code], dict(action.params)))
+    return _one_line(text_of(ACTIONS[action.code], _rendered(action.params)))
+
+
+def action_tip(action: Action) -> str:
+    """Tooltip of an action in the language in use; empty where it has none."""
+    template = ACTION_TIPS.get(action.code)
+    return _one_line(text_of(template, _rendered(action.params))) if template else ""
 
 
 def _rendered(params: Mapping[str, Value]) -> dict[str, Any]:

@@ -86,7 +86,7 @@ TEXTS: Mapping[str, Template] = {
         "{line}: the heights less those of the trajectory are {offset:m.1} m, as with heights "
         "above sea level and an ellipsoidal trajectory. The recovered points do not lie on the "
         "beams of the scanner (off by {misfit:mm} mm), and the angles will be wrong. Give the "
-        "height system, or {value:m.1} m to be added."
+        "vertical reference, or {value:m.1} m to be added."
     ),
     "recovery.time_offset": N_(
         "{line}: the points fit the beams of the scanner only with {value:s} s added to their "

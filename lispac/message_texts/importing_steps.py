@@ -132,25 +132,146 @@ TEXTS: Mapping[str, Template] = {
     "time_base.suggested": N_("{base} (as its values suggest)"),
     "time_base.of_file": N_("{base} (as read from the file)"),
     "time_base.not_possible": N_(
-        "Its times from {first:s.3} to {last:s.3} s cannot be {base}, as given. Their values "
+        "{file}: times from {first:s.3} to {last:s.3} s cannot be {base}, as given. Their values "
         "fit {keys:choices}. Give one of these time bases, or none."
     ),
     "time_base.no_base_possible": N_(
-        "Its times from {first:s.3} to {last:s.3} s cannot be {base}, as given, and they fit no "
-        "known time base. Check which column or record is the time."
+        "{file}: times from {first:s.3} to {last:s.3} s cannot be {base}, as given, and they fit "
+        "no known time base. Check which column or field holds the time."
     ),
     "time_base.other_trajectory_base": N_(
-        "In {base} none of its points lies within the trajectory, whose times are "
+        "{file}: read as {base}, none of the points lies within the trajectory, whose times are "
         "{trajectory_base}. They would with {options:choices}. Check the time base of the "
         "trajectory, and give it."
     ),
     "time_base.no_overlap": N_(
-        "In {base} none of its points lies within the trajectory, whose times are "
+        "{file}: read as {base}, none of the points lies within the trajectory, whose times are "
         "{trajectory_base}. Give the time base of the times, or the trajectory of the same "
         "survey."
     ),
+    # -- times of lines ----------------------------------------------------------------------
+    "import.read_as": N_("{file}: read as {format}, with {options:names}."),
+    "import.base_assumed": N_(
+        "{file}: the file does not state its time base. The times are read in the time base of the "
+        "trajectory, {base}."
+    ),
+    "import.shift_follows": N_(
+        "{file}: {shift:s.3+} s are added to the times to bring them from {base} to "
+        "{trajectory_base}, the time base of the trajectory."
+    ),
+    "import.leap_seconds_assumed": N_(
+        "{file}: neither the line nor the trajectory states the date, so the leap seconds of today "
+        "({leap:n} s) are used."
+    ),
+    "import.other_shifts_fit": N_(
+        "{file}: {shifts:choices} would fit as well. Check the day of the survey."
+    ),
+    "import.other_bases_fit": N_(
+        "{file}: by the times alone, {shifts:choices} would fit as well. Check which time base the "
+        "scanner wrote."
+    ),
+    "import.shifted": N_("{file}: {shift:s.3+} s are added to the times."),
+    "import.shift": N_("{shift:s.3+} s"),
+    "import.shift_from": N_("{shift:s.3+} s ({base})"),
+    "import.times_restart": N_(
+        "{file}: the times restart at {place}, after {last:s.3} s. {period:s.0} s are added to the "
+        "times after it."
+    ),
+    "import.times_after_restart": N_(
+        "{file}: all times are after {place}. {period:s.0} s are added to them."
+    ),
+    "rollover.midnight": N_("midnight"),
+    "rollover.week_end": N_("the end of the week"),
+    "rollover.full_hour": N_("the full hour"),
+    # -- files to be imported ----------------------------------------------------------------
+    "import.stopped": N_('{file}: not read because reading was stopped. Press "Read again".'),
+    "import.not_examined": N_("{file}: the file cannot be examined ({kind}: {reason})."),
+    "import.already_in_project": N_("{file}: this file is already line {line} of the project."),
+    "import.unlikely_format": N_(
+        "{file}: the file may be {format}, but this is unlikely. Choose its role if it is."
+    ),
+    "import.several_trajectories": N_(
+        "{file}: more than one file has the role of the trajectory, but a project has one. Leave "
+        "the others out."
+    ),
+    "import.several_accuracies": N_(
+        "{file}: more than one file has the role of the accuracy, but a project has one. Leave "
+        "the others out."
+    ),
+    "import.columns_remembered": N_(
+        "{file}: the columns are those chosen for the last file with the same layout."
+    ),
+    "import.columns_not_chosen": N_(
+        "{file}: no column is assigned to {columns:names}. Choose above the preview what each "
+        "column is."
+    ),
+    "column.time": N_("time"),
+    "column.x": N_("X coordinate"),
+    "column.y": N_("Y coordinate"),
+    "column.z": N_("Z coordinate"),
+    "column.position": N_("latitude and longitude (or easting and northing)"),
+    "column.height": N_("height"),
+    "column.roll": N_("roll"),
+    "column.pitch": N_("pitch"),
+    "column.heading": N_("heading"),
+    "import.first_times": N_(
+        "{file}: the file is long. The first {count:n} times were checked; the others are checked "
+        "when the project is created."
+    ),
+    "import.accuracy_too_short": N_(
+        "{file}: the accuracies cover {first:s.1} to {last:s.1} s, not the whole trajectory "
+        "({start:s.1} to {end:s.1} s). Outside, the first and last values are used."
+    ),
+    "import.outside_system": N_(
+        "{file}: the points lie outside {system}. Choose the coordinate system of the points."
+    ),
+    "import.far_from_trajectory": N_(
+        "{file}: in {system} the points lie {distance:km.0} km from the trajectory. Choose the "
+        "coordinate system of the points."
+    ),
+    "import.points_outside": N_(
+        "{file}: {share:percent} % of the points lie before or after the trajectory. They are "
+        "excluded."
+    ),
+    "import.points_outside_sampled": N_(
+        "{file}: about {share:percent} % of the points lie before or after the trajectory. They "
+        "are excluded."
+    ),
+    "import.points_in_gaps": N_(
+        "{file}: {share:percent} % of the points lie in gaps of the trajectory longer than "
+        "{limit:s.1} s. They are excluded."
+    ),
+    "import.points_in_gaps_sampled": N_(
+        "{file}: about {share:percent} % of the points lie in gaps of the trajectory longer than "
+        "{limit:s.1} s. They are excluded."
+    ),
+    "import.shift_offered": N_(
+        "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "
+        "within the trajectory. Check whether the scanner wrote {base}."
+    ),
+    "import.outside_with_shift": N_(
+        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
+        "{start:s.1} to {end:s.1} s). If the points are in {points} and the trajectory in "
+        "{trajectory}, add {shift:s.3+} s: then {share:percent.1} % of the points lie within it."
+    ),
+    "import.outside_without_shift": N_(
+        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
+        "{start:s.1} to {end:s.1} s). Without a time shift, {share:percent.1} % of the points lie "
+        "within it. Clear the shift."
+    ),
+    "import.before_trajectory": N_(
+        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
+        "{start:s.1} to {end:s.1} s). The line ends {distance:s.0} s before the trajectory starts, "
+        "and no known time base brings it inside. Give the trajectory of the same survey, or leave "
+        "the line out."
+    ),
+    "import.after_trajectory": N_(
+        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
+        "{start:s.1} to {end:s.1} s). The line starts {distance:s.0} s after the trajectory ends, "
+        "and no known time base brings it inside. Give the trajectory of the same survey, or leave "
+        "the line out."
+    ),
     # -- import --------------------------------------------------------------------------------
-    "import.time_base_refused": N_("{file}: {reason}"),
     "import.shift_not_needed": N_(
         "{file}: shifted by {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) lie "
         "outside the trajectory ({start:s.1} to {end:s.1} s). Without the shift they lie "

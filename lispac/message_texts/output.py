@@ -64,7 +64,7 @@ TEXTS: Mapping[str, Template] = {
         "{logo}: a logo must be a PNG or SVG picture, and this file is neither."
     ),
     "report_template.long_text": N_(
-        "{key} is longer than {limit:n} letters or holds a letter that cannot be printed. "
+        "{key} is longer than {limit:n} characters or holds a character that cannot be printed. "
         "Change it."
     ),
 }

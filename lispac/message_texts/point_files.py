@@ -60,6 +60,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "file.not_writable": N_("{file}: cannot be written ({reason}). Choose another folder."),
     "file.coordinate_system": N_("{file}: {reason}"),
+    "file.refused": N_("{file}: {reason}"),
     "file.epoch": N_("{epoch} is not a decimal year. Give the date as in this example: 2024.5."),
     # -- records of numbers ------------------------------------------------------------------
     "file.partial_record": N_(

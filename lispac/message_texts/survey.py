@@ -25,7 +25,7 @@ TEXTS: Mapping[str, Template] = {
         "coordinate system of the points."
     ),
     "crs.geocentric_height": N_(
-        "{system}: geocentric coordinates have no height reference. Leave the height reference "
+        "{system}: geocentric coordinates have no vertical reference. Leave the vertical reference "
         "empty."
     ),
     "crs.none_given": N_(
@@ -64,7 +64,7 @@ TEXTS: Mapping[str, Template] = {
         "PROJ knows no transformation from {source} to {target}: {datum} stands for all its "
         "realizations, and only each of these is tied to {target}. Give the system on the "
         "realization of the survey (the latest: {systems:choices}) with the date of the survey as "
-        "a decimal year. Give the height reference separately."
+        "a decimal year. Give the vertical reference separately."
     ),
     "crs.grids_missing": Plural(
         "The transformation from {source} to {target} needs the grid file {grids:names}, which is "

@@ -111,8 +111,8 @@ TEXTS: Mapping[str, Template] = {
     "finder.sphere_flat": N_("The surface around {place} is flat rather than a sphere."),
     # -- search in all lines -----------------------------------------------------------------------
     "finder.unknown_line": N_("There is no line named {line}."),
-    "finder.no_line_for_plane": N_("There is no line to search for a plane."),
-    "finder.no_line_for_sphere": N_("There is no line to search for a sphere."),
+    "finder.no_line_for_plane": N_("There is no line in which to search for a plane."),
+    "finder.no_line_for_sphere": N_("There is no line in which to search for a sphere."),
     "finder.no_plane_in_lines": N_(
         "No line has a plane at the seed. In the nearest line, {line}: {reason}"
     ),

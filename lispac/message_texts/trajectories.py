@@ -8,7 +8,7 @@ TEXTS: Mapping[str, Template] = {
     # -- times -------------------------------------------------------------------------------
     "trajectory.no_time_base": N_(
         "{file}: times from {start:s} to {end:s} s fit no known time base. Check which column or "
-        "record is the time."
+        "field holds the time."
     ),
     "trajectory.other_time_base": N_(
         "{file}: times from {start:s} to {end:s} s cannot be in the time base {base}. Choose "
@@ -143,7 +143,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- text of POSPac and Exail ------------------------------------------------------------
     "trajectory.pospac_header": N_(
-        "{file}: no line names the columns (TIME, ..., LATITUDE, LONGITUDE, ...). Export the file "
+        "{file}: no row names the columns (TIME, ..., LATITUDE, LONGITUDE, ...). Export the file "
         "with its header, or choose the generic text format and name the columns."
     ),
     "trajectory.pospac_notation": N_(
@@ -154,7 +154,7 @@ TEXTS: Mapping[str, Template] = {
         '{file}, row {row:n}: "{text}" is not a row of numbers. Export the file again.'
     ),
     "trajectory.exail_header": N_(
-        "{file}: no line that starts with # names the columns. Export the file with its header, or "
+        "{file}: no row that starts with # names the columns. Export the file with its header, or "
         "choose the generic text format and name the columns."
     ),
     # -- SBET and smrmsg ---------------------------------------------------------------------

@@ -174,7 +174,7 @@ TEXTS: Mapping[str, Template] = {
     "sensor.no_source": N_(
         "Give the source of the specifications, for example a data sheet with its date."
     ),
-    "sensor.long_text": N_("A title or a source must be one line of at most {limit:n} letters."),
+    "sensor.long_text": N_("A title or a source must be one line of at most {limit:n} characters."),
     "sensor.title_taken": N_("There is already a sensor {title}. Give another title."),
     "sensor.supplied": N_("{title} comes with the program and cannot be removed."),
     "sensor.not_removed": N_("{file}: this file cannot be removed ({reason})."),

@@ -3,6 +3,7 @@
 import numpy as np
 
 from lispac.adjustment.result import AdjustmentResult
+from lispac.message_texts import note_text
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Triple
 from lispac.workflow.survey import Survey, data_key, load_survey
@@ -40,7 +41,7 @@ class Held:
     @property
     def notes(self) -> tuple[str, ...]:
         """What was assumed or left out while reading, in words."""
-        return self.survey.notes
+        return tuple(map(note_text, self.survey.notes))
 
     @property
     def result(self) -> AdjustmentResult:

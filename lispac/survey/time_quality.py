@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message, warning
+
 Array = NDArray[np.float64]
 
 COARSEST_HARMLESS = 1e-4
@@ -35,26 +37,20 @@ class TimeQuality:
     first_disorder: int | None
     resolution: float | None
 
-    @property
-    def doubts(self) -> tuple[str, ...]:
-        """A sentence for each thing that is wrong."""
-        told = []
+    def messages(self, file: str) -> tuple[Message, ...]:
+        """A warning for each thing that is wrong; ``file`` is the name of the file."""
+        found = []
         if self.resolution is not None:
-            told.append(
-                f"Times have lost precision to 32-bit numbers and stand on steps of "
-                f"{self.resolution:g} s; export them again with 64-bit times."
-            )
+            found.append(warning("times.coarse", file=file, step=self.resolution))
         if self.backward:
-            told.append(
-                f"{self.backward:,} of {self.count:,} times run backward; sort the file or "
-                "export it again."
+            found.append(
+                warning("times.decreasing", file=file, count=self.backward, total=self.count)
             )
         if self.duplicates:
-            told.append(
-                f"{self.duplicates:,} of {self.count:,} times repeat the one before; sort the "
-                "file or export it again."
+            found.append(
+                warning("times.repeated", file=file, count=self.duplicates, total=self.count)
             )
-        return tuple(told)
+        return tuple(found)
 
 
 def time_quality(times: Array) -> TimeQuality:
@@ -182,20 +178,22 @@ SHORT = 2.0
 """Seconds that accuracies may miss at the ends of the trajectory without a word."""
 
 
-def short_of_trajectory(own: Array, track: Array) -> str:
-    """That accuracies do not cover the whole trajectory, without the file and without its end.
+def short_of_trajectory(own: Array, track: Array, file: str) -> Message | None:
+    """The warning that accuracies do not cover the whole trajectory; None where they do.
 
     Parameters
     ----------
     own, track : ndarray of shape (n,), seconds, increasing
         Times of the accuracies and of the trajectory.
+    file : str
+        Name of the file of accuracies.
     """
     if max(own[0] - track[0], track[-1] - own[-1]) <= SHORT:
-        return ""
-    return (
-        f"it covers {own[0]:,.1f} to {own[-1]:,.1f} s, not the whole trajectory "
-        f"({track[0]:,.1f} to {track[-1]:,.1f} s); beyond, its first and last values are taken"
-    )
+        return None
+    return warning(
+        "import.accuracy_too_short", file=file, first=float(own[0]), last=float(own[-1]),
+        start=float(track[0]), end=float(track[-1]),
+    )  # fmt: skip
 
 
 LEFT_OUT = "are left out"

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message, note
 from lispac.survey.time_base import DAY, HOUR, NEAR_START, WEEK, period_between
 
 Array = NDArray[np.float64]
@@ -13,8 +14,11 @@ NONE = "none"
 PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK, "full-hour": HOUR}
 """Seconds that times are counted on by, by what is said of them; nothing where it is not one."""
 KEYS = (NONE, *PERIODS)
-PLACES = {"midnight": "midnight", "week-end": "the end of the week", "full-hour": "the full hour"}
-"""Where times start again, in words."""
+_PLACES = {
+    "midnight": "rollover.midnight", "week-end": "rollover.week_end",
+    "full-hour": "rollover.full_hour",
+}  # fmt: skip
+"""Code of the message that names where times start again."""
 
 
 def restart_of(times: Array) -> str:
@@ -70,17 +74,18 @@ def as_written(times: Array, restart: str) -> Array:
     return np.where(times >= period, times - period, times)
 
 
-def restart_words(times: Array, restart: str) -> str:
-    """What is done to the times of a line that start again, without the file and without its end.
+def restart_message(times: Array, restart: str, file: str) -> Message:
+    """The note that the times of a line start again, and what is added to them.
 
     Parameters
     ----------
     times : ndarray of shape (n,), seconds, as they count on
+    file : str
+        Name of the file.
     """
-    period = PERIODS[restart]
-    where = PLACES[restart]
-    before, after = times[times < period], times[times >= period]
+    period, place = PERIODS[restart], note(_PLACES[restart])
+    before = times[times < period]
     if not len(before):
-        return f"times are those after {where}: counted on by {period:.0f} s"
-    reach = f" (after {before.max():,.3f} s)" if len(after) else ""
-    return f"times restart at {where}{reach}: counted on by {period:.0f} s"
+        return note("import.times_after_restart", file=file, place=place, period=period)
+    last = float(before.max())
+    return note("import.times_restart", file=file, place=place, period=period, last=last)

@@ -36,6 +36,11 @@ BASES = {
 """Code of the message that names a time base, by the key of the base."""
 
 
+def base_message(base: TimeBase) -> Message:
+    """Name of a time base, as a part of other messages."""
+    return note(BASES[base.key])
+
+
 @dataclass(frozen=True)
 class Known:
     """What is known of the time base of a file.
@@ -58,21 +63,11 @@ class Known:
         return self.base is not None and self.base in plausible(times)
 
     @property
-    def words(self) -> str:
-        """Its name, and where it is from."""
-        if self.base is None:
-            return "not known"
-        if self.stated:
-            return f"{self.base.name} (stated)"
-        where = "as its values suggest" if self.suggested else "as read from the file"
-        return f"{self.base.name} ({where})"
-
-    @property
     def message(self) -> Message:
         """Its name and where it is from, as a part of other messages."""
         if self.base is None:
             return note("time_base.unknown")
-        name = note(BASES[self.base.key])
+        name = base_message(self.base)
         if self.stated:
             return note("time_base.given", base=name)
         if self.suggested:
@@ -80,21 +75,25 @@ class Known:
         return note("time_base.of_file", base=name)
 
 
-def contradiction(times: Array, own: Known) -> Message | None:
-    """Why ``times`` cannot be in the base given for them, without the file; None where they can.
+def contradiction(times: Array, own: Known, file: str) -> Message | None:
+    """The error that ``times`` cannot be in the base given for them; None where they can.
 
     Parameters
     ----------
     times : ndarray of shape (n,), seconds
         Of a line, as its file has them.
+    file : str
+        Name or path of the file.
     """
     if not own.stated or own.base is None or own.fits(times):
         return None
-    first, last, base = float(times.min()), float(times.max()), note(BASES[own.base.key])
+    first, last, base = float(times.min()), float(times.max()), base_message(own.base)
     fitting = [each.key for each in plausible(times)]
     if not fitting:
-        return error("time_base.no_base_possible", first=first, last=last, base=base)
-    return error("time_base.not_possible", first=first, last=last, base=base, keys=fitting)
+        return error("time_base.no_base_possible", file=file, first=first, last=last, base=base)
+    return error(
+        "time_base.not_possible", file=file, first=first, last=last, base=base, keys=fitting
+    )
 
 
 def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Match, ...] | None:
@@ -124,28 +123,40 @@ def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Mat
     return found if found or own.stated else None
 
 
-def following_words(found: tuple[Match, ...], own: Known, other: Known) -> str:
-    """What the first way does, in a sentence without the file and without its end."""
+def following_messages(
+    found: tuple[Match, ...], own: Known, other: Known, file: str
+) -> tuple[Message, ...]:
+    """Notes on the time shift that follows from the time bases of line and trajectory.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file of the line.
+    """
     best = found[0]
-    told = (
-        f"{best.shift:+,.3f} s are added to its times, from {own.words} to the trajectory's "
-        f"{other.words}"
-    )
+    messages = [
+        note(
+            "import.shift_follows", file=file, shift=best.shift, base=own.message,
+            trajectory_base=other.message,
+        )
+    ]  # fmt: skip
     if best.leap_assumed:
-        told += f", with the leap seconds of today, {LEAP_SECONDS_NOW} s, as neither tells the date"
+        messages.append(note("import.leap_seconds_assumed", file=file, leap=LEAP_SECONDS_NOW))
     if rivals := rival_matches(found):
-        others = " or ".join(f"{match.shift:+,.3f} s" for match in rivals)
-        told += f"; {others} would fit as well: make sure of the day"
-    return told
+        shifts = tuple(note("import.shift", shift=match.shift) for match in rivals)
+        messages.append(note("import.other_shifts_fit", file=file, shifts=shifts))
+    return tuple(messages)
 
 
-def nowhere(own: Known, other: Known, times: Array, track: Array) -> Message:
-    """That what is stated brings no point onto the trajectory, without the file.
+def nowhere(own: Known, other: Known, times: Array, track: Array, file: str) -> Message:
+    """The error that in the time bases given no point lies within the trajectory.
 
     Parameters
     ----------
     times, track : ndarray of shape (n,), seconds
         Of the line and of the trajectory.
+    file : str
+        Path of the file of the line.
     """
     others = [] if other.stated or own.base is None else [
         base for base in plausible(track)
@@ -155,10 +166,10 @@ def nowhere(own: Known, other: Known, times: Array, track: Array) -> Message:
     if others:
         options = [f"--trajectory-option time={base.key}" for base in others]
         return error(
-            "time_base.other_trajectory_base", base=own.message, trajectory_base=other.message,
-            options=options,
+            "time_base.other_trajectory_base", file=file, base=own.message,
+            trajectory_base=other.message, options=options,
         )  # fmt: skip
-    return error("time_base.no_overlap", base=own.message, trajectory_base=other.message)
+    return error("time_base.no_overlap", file=file, base=own.message, trajectory_base=other.message)
 
 
 def bringing_more(found: tuple[Match, ...], share: float) -> Match | None:

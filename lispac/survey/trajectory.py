@@ -38,7 +38,7 @@ class Trajectory:
     height : ndarray of shape (n,), metres above the ellipsoid
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
-    assumptions : tuple of str
+    assumptions : tuple of str or Message
         What the reader took for granted, in words.
     messages : tuple of Message
         Warnings and notes about the states.
@@ -53,7 +53,7 @@ class Trajectory:
     longitude: Array
     height: Array
     attitude: Array
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[str | Message, ...] = ()
     messages: tuple[Message, ...] = ()
     velocity: Array | None = None
     attitude_rate: Array | None = None

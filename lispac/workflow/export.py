@@ -9,7 +9,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.files import written_whole
-from lispac.message_texts import message_text
+from lispac.message_texts import message_text, note_text
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
@@ -47,7 +47,7 @@ def content_of(
         headings_deg={n: float(np.degrees(h)) % 360 for n, h in survey.heading.items()},
         counts={name: len(scan) for name, scan in survey.scans.items()},
         track_local=tracks,
-        notes=(*survey.notes, *read),
+        notes=(*map(note_text, survey.notes), *read),
         generated=generated or datetime.now(UTC),
         qualities=qualities(project, survey, progress=progress),
         convention=convention,

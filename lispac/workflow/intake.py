@@ -1,7 +1,7 @@
-"""Files on their way into a project: sorted by what they are, checked against each other.
+"""Files that are to be imported: sorted by what they are, checked against each other.
 
 An `Intake` is an immutable value; the window shows it and asks for the next one. What has to be
-read from files is in `intake_entry`, what there is to say about them in `intake_remarks`.
+read from files is in `intake_entry`, the messages about them in `intake_remarks`.
 """
 
 import os
@@ -15,6 +15,9 @@ from lispac.identity import BLANK, Identity
 from lispac.installed import expanded, home_folder
 from lispac.io.project_file import FILE_NAME, is_project_file
 from lispac.io.registry import POSSIBLE, Kind
+from lispac.language import Plural, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Action, Level, Message
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.source import USUAL, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible
@@ -24,8 +27,8 @@ from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake_columns import with_meaning
 from lispac.workflow.intake_entry import Entry
 from lispac.workflow.intake_remarks import (
-    Remark,
-    Remedy,
+    BRIDGE_GAPS,
+    SETTING_OPTIONS,
     already_there,
     remarks_of,
     time_remarks,
@@ -153,25 +156,31 @@ class Intake:
         changed = self.with_option(path, "columns", " ".join(tokens))
         return changed.with_entry(replace(changed.entry(path), remembered=False))
 
-    def with_remedy(self, path: Path, remedy: Remedy) -> "Intake":
-        """Do what a remedy does; where it states an option the file has to be looked into again."""
-        if remedy.longest_gap is not None:
-            return replace(self, longest_gap=remedy.longest_gap)
-        if remedy.shift is not None:
-            return self.with_entry(replace(self.entry(path), shift=remedy.shift))
-        if remedy.role is not None:
-            return self.with_role(path, None if remedy.role == "none" else remedy.role)
-        if remedy.option is not None:
-            return self.with_option(path, *remedy.option)
-        if remedy.split_by is not None:
-            return self.with_entry(replace(self.entry(path), split_by=remedy.split_by))
-        if remedy.found_columns:
-            stated = {k: v for k, v in (self.entry(path).stated or {}).items() if k != "columns"}
-            return self.with_entry(
-                replace(
-                    self.entry(path), stated=stated, remembered=False, pending=True, finding=None
-                )
-            )
+    def with_action(self, path: Path, action: Action) -> "Intake":
+        """Apply an action of a message; a file whose options change has to be read again.
+
+        Actions by which the user chooses a value change nothing here.
+        """
+        params, entry = action.params, self.entry(path)
+        if action.code in SETTING_OPTIONS:
+            return self.with_option(path, str(params["name"]), str(params["value"]))
+        match action.code:
+            case code if code == BRIDGE_GAPS:
+                return replace(self, longest_gap=_number(params["gap"]))
+            case "shift_times":
+                return self.with_entry(replace(entry, shift=_number(params["shift"])))
+            case "clear_shift":
+                return self.with_entry(replace(entry, shift=0.0))
+            case "leave_out":
+                return self.with_role(path, None)
+            case "split_line":
+                return self.with_entry(replace(entry, split_by=str(params["by"])))
+            case "keep_one_line":
+                return self.with_entry(replace(entry, split_by=""))
+            case "detect_columns":
+                stated = {k: v for k, v in (entry.stated or {}).items() if k != "columns"}
+                changed = replace(entry, stated=stated, remembered=False, finding=None)
+                return self.with_entry(replace(changed, pending=True))
         return self
 
     def with_shift_for_all(self) -> "Intake":
@@ -266,26 +275,26 @@ class Intake:
         return None if self.track is None else line_coverage(entry, self.track, self.longest_gap)
 
     @cached_property
-    def _remarks(self) -> dict[Path, tuple[Remark, ...]]:
+    def _remarks(self) -> dict[Path, tuple[Message, ...]]:
         counts = len(self._of("trajectory")), len(self._of("accuracy"))
-        told = {
+        found = {
             entry.path: remarks_of(entry, self.trajectory, *counts, self.longest_gap)
             for entry in self.entries
         }
         if self.into is None:
-            return told
+            return found
         known = {line.path: line.name for line in self.into.lines}
         return {
-            entry.path: already_there(entry, known) or without_changes(entry, told[entry.path])
+            entry.path: already_there(entry, known) or without_changes(entry, found[entry.path])
             for entry in self.entries
         }
 
-    def remarks(self, entry: Entry) -> tuple[Remark, ...]:
-        """All there is to say about a file, the worst first."""
+    def remarks(self, entry: Entry) -> tuple[Message, ...]:
+        """All messages about a file, errors first."""
         return self._remarks[entry.path]
 
-    def time_remarks(self, entry: Entry) -> tuple[Remark, ...]:
-        """What there is to say about a line's times against the trajectory."""
+    def time_remarks(self, entry: Entry) -> tuple[Message, ...]:
+        """Messages about the times of a line and those of the trajectory."""
         if self.track is None or entry.role != "points":
             return ()
         return tuple(time_remarks(entry, self.track, self.longest_gap, self._base))
@@ -296,8 +305,8 @@ class Intake:
             return "pending"
         if entry.role is None:
             return "out"
-        levels = [remark.level for remark in self.remarks(entry)]
-        return "error" if "error" in levels else "doubt" if "doubt" in levels else "fine"
+        levels = {message.level for message in self.remarks(entry)}
+        return "error" if Level.ERROR in levels else "doubt" if Level.WARNING in levels else "fine"
 
     @cached_property
     def shifts_offered(self) -> tuple[tuple[Entry, float], ...]:
@@ -315,30 +324,37 @@ class Intake:
     # -- the end -----------------------------------------------------------------------------
 
     def problem(self, folder: str) -> str:
-        """Why a project cannot be made of this; empty where it can."""
+        """Why a project cannot be made of this, in the language in use; empty where it can."""
         return self.files_problem() or folder_problem(folder)
 
     def files_problem(self) -> str:
-        """What is wrong with the files; empty where nothing is."""
+        """What is wrong with the files, in the language in use; empty where nothing is."""
         if not self.entries:
-            return "Add the survey's files: drop them here, or press Add files."
+            return gettext("Add the files of the survey: drop them here, or press Add files.")
         if any(entry.pending for entry in self.entries):
-            return "The files are being looked into."
+            return gettext("The files are being examined.")
         wrong = [entry for entry in self.entries if self.state(entry) == "error"]
         if wrong:
-            more = len(wrong) - 1
-            others = (
-                f" ({more} more file{'s have' if more > 1 else ' has'} errors.)" if more else ""
+            first = message_text(self.remarks(wrong[0])[0])
+            if len(wrong) == 1:
+                return first
+            return gettext(
+                Plural(
+                    "{message} Another file has errors.",
+                    "{message} {count:n} other files have errors.",
+                ),
+                message=first,
+                count=len(wrong) - 1,
             )
-            first = self.remarks(wrong[0])[0].text.split(". ")[0].rstrip(".")
-            return f"{wrong[0].path.name}: {first}.{others}"
         if self.trajectory is None:
-            return "No file is the trajectory yet: add the SBET, or a text export of it."
+            return gettext("The trajectory is missing. Add the SBET, or a text export of it.")
         if not self.lines:
-            return "No file is a line yet: add the scan file of at least one."
+            return gettext("There is no line. Add the scan file of at least one line.")
         names = [line.name for line in (*self.sources(), *self._known_lines)]
-        twice = [name for name in names if names.count(name) > 1]
-        return f"Two lines are named {twice[0]}; rename a file." if twice else ""
+        duplicates = [name for name in names if names.count(name) > 1]
+        if not duplicates:
+            return ""
+        return gettext("Two lines are named {line}. Rename a file.", line=duplicates[0])
 
     def request(self, folder: Path, settings: Settings) -> ImportRequest:
         """What the project is to be made of; there must be no `problem`."""
@@ -375,18 +391,25 @@ class Intake:
 
 
 def folder_problem(folder: str) -> str:
-    """Why a project cannot be made there; empty where it can."""
+    """Why a project cannot be made there, in the language in use; empty where it can."""
     if not folder.strip():
-        return "Choose a folder for the project."
+        return gettext("Choose a folder for the project.")
     place = expanded(Path(folder.strip()))
     if (place / FILE_NAME).exists():
-        return "There is a project in this folder already; choose another."
+        return gettext("This folder already contains a project. Choose another folder.")
     if place.is_file():
-        return "This is a file; choose a folder for the project."
+        return gettext("This is a file. Choose a folder for the project.")
     there = next((p for p in (place, *place.parents) if p.exists()), None)
     if there is None or not os.access(there, os.W_OK):
-        return f"{there or place} cannot be written; choose another folder."
+        name = str(there or place)
+        return gettext("{folder}: cannot be written. Choose another folder.", folder=name)
     return ""
+
+
+def _number(value: object) -> float:
+    """A parameter of an action that is a number."""
+    assert isinstance(value, float | int)
+    return float(value)
 
 
 def proposed_folder(intake: Intake) -> Path | None:

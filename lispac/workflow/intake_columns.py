@@ -2,9 +2,11 @@
 
 from collections.abc import Sequence
 
+from lispac.io.ascii_trajectory import COLUMNS_ASSUMED
 from lispac.io.registry import Finding, Format
 from lispac.io.text_layout import REQUIRED
 from lispac.io.trajectory_columns import ROLES, SIGMAS
+from lispac.messages import Message, note
 from lispac.workflow.reading import Look
 
 PASSED_OVER = "-"
@@ -60,22 +62,28 @@ def with_meaning(tokens: Sequence[str], column: int, meaning: str) -> tuple[str,
     return tuple(changed)
 
 
-def missing_columns(format: Format, tokens: Sequence[str]) -> str:
-    """What no column is and has to be, in words; empty where all is there."""
+def missing_columns(format: Format, tokens: Sequence[str]) -> tuple[Message, ...]:
+    """Names of the required meanings that no column has."""
     if not has_columns(format) or not tokens:
-        return ""
+        return ()
     has = set(tokens)
     if format.kind == "points":
-        missing = [word_of(name).lower() for name in REQUIRED if name not in has]
+        missing = [name for name in REQUIRED if name not in has]
     else:
         missing = [name for name in ("time", "roll", "pitch", "heading") if name not in has]
         if not ({"latitude", "longitude"} <= has or {"easting", "northing"} <= has):
-            missing.append("latitude and longitude (or easting and northing)")
+            missing.append("position")
         if not {"height", "sea_height"} & has:
             missing.append("height")
-    if len(missing) < 2:
-        return "".join(missing)
-    return f"{', '.join(missing[:-1])} or {missing[-1]}"
+    return tuple(note(_NAMES[name]) for name in missing)
+
+
+_NAMES = {
+    "time": "column.time", "x": "column.x", "y": "column.y", "z": "column.z",
+    "position": "column.position", "height": "column.height", "roll": "column.roll",
+    "pitch": "column.pitch", "heading": "column.heading",
+}  # fmt: skip
+"""Code of the message that names a meaning."""
 
 
 def names_its_columns(look: Look) -> bool:
@@ -84,7 +92,7 @@ def names_its_columns(look: Look) -> bool:
         return False
     if look.format.kind == "points":
         return bool(look.finding.choice.get("columns"))
-    return not any("No row names the columns" in doubt for doubt in look.finding.doubts)
+    return not any(each.code == COLUMNS_ASSUMED for each in look.finding.doubts)
 
 
 def layout_of(look: Look) -> str:

@@ -1,4 +1,4 @@
-"""One file on its way into a project: what it seems to be, how it is to be read, what is in it.
+"""A file that is to be imported: what it seems to be, how it is to be read, what is in it.
 
 An entry is an immutable value; `examined` and `examined_again` make the next one and are meant for
 the worker, since they read.
@@ -11,15 +11,16 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import Cancelled, InputError, LispacError
-from lispac.io.files import without_path
+from lispac.io.files import message_about
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes, line_times
 from lispac.io.registry import POSSIBLE, Finding, Format, Kind
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource
 from lispac.survey.crs import coordinate_system
 from lispac.survey.line_audit import LineAudit
-from lispac.survey.source import Reading
+from lispac.survey.source import Reading, printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.file_audit import file_audit
 from lispac.workflow.intake_columns import (
@@ -45,14 +46,14 @@ class Place:
         Name of its coordinate system.
     latitude, longitude : float, radians
         Of one of its points.
-    error : str
-        Why there is no such place, in a sentence.
+    error : Message or None
+        Why there is no such place.
     """
 
     system: str = ""
     latitude: float = 0.0
     longitude: float = 0.0
-    error: str = ""
+    error: Message | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,10 +73,8 @@ class Entry:
     finding : Finding or None
         With these options; the last one that could be made where they do not fit the file.
     content : Trajectory, TrajectoryAccuracy, LineTimes or None
-    error : str
-        Why the file cannot be used, in a sentence.
-    error_code : str
-        Code of the message of this error; empty where it has none.
+    error : Message or None
+        Why the file cannot be used.
     shift : float, seconds
         Added to the times of a line.
     follows : bool
@@ -99,8 +98,7 @@ class Entry:
     stated: Mapping[str, str] | None = None
     finding: Finding | None = None
     content: Content | None = None
-    error: str = ""
-    error_code: str = ""
+    error: Message | None = None
     shift: float = 0.0
     follows: bool = False
     place: Place | None = None
@@ -177,8 +175,8 @@ def examined(
     progress(0.0, f"Looking into {path.name}")
     try:
         found = looks(path)
-    except LispacError as error:
-        return Entry(path, error=without_path(str(error), path), pending=False)
+    except LispacError as refused:
+        return Entry(path, error=message_about(refused, path), pending=False)
     # Of equally sure formats those whose files end so come first, then those that can be read.
     ending = path.suffix.lower()
     found.sort(
@@ -187,8 +185,10 @@ def examined(
     first = found[0]
     entry = Entry(path, tuple(found), first.format.kind, first.format)
     if first.sureness <= POSSIBLE and ending not in first.format.endings:
-        said = f"It may be {first.format.name}, but hardly: choose its role if it is."
-        return replace(entry, role=None, format=None, error=said, pending=False)
+        unlikely = note(
+            "import.unlikely_format", file=printable(path.name), format=first.format.name
+        )
+        return replace(entry, role=None, format=None, error=unlikely, pending=False)
     for look in found:
         columns = (mappings or {}).get(layout_of(look), "")
         if columns and not names_its_columns(look):
@@ -207,8 +207,8 @@ def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entr
     assert entry.given is not None
     try:
         found = looks(entry.path, (entry.role,))
-    except LispacError as error:
-        return replace(entry, error=without_path(str(error), entry.path), pending=False)
+    except LispacError as refused:
+        return replace(entry, error=message_about(refused, entry.path), pending=False)
     format = format_of(entry.given.format or USUAL[entry.role])
     stated = dict(entry.given.options)
     return examined_again(
@@ -223,7 +223,7 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
     ------
     Cancelled
     """
-    entry = replace(entry, pending=False, error="", error_code="", content=None, place=None)
+    entry = replace(entry, pending=False, error=None, content=None, place=None)
     if entry.role is None or entry.format is None:
         return entry
     if entry.finding is None or not entry.stated:
@@ -231,11 +231,8 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
     assert entry.format is not None
     missing = missing_columns(entry.format, entry.columns)
     if missing:
-        return replace(
-            entry,
-            error=f"No column is the {missing} yet; choose in the head of the preview what each "
-            "column is.",
-        )
+        file = printable(entry.path.name)
+        return replace(entry, error=error(COLUMNS_NOT_CHOSEN, file=file, columns=missing))
     if entry.stated:
         entry = _looked(entry, dict(entry.stated))
     if entry.error or entry.finding is None:
@@ -245,9 +242,12 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
         return _filled(entry, progress)
     except Cancelled:
         raise
-    except LispacError as error:
-        words = without_path(str(error), entry.path)
-        return replace(entry, error=words, error_code=error.code)
+    except LispacError as refused:
+        return replace(entry, error=message_about(refused, entry.path))
+
+
+COLUMNS_NOT_CHOSEN = "import.columns_not_chosen"
+"""Code of the error that the user has to choose what columns are."""
 
 
 def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
@@ -255,14 +255,12 @@ def _looked(entry: Entry, stated: dict[str, str]) -> Entry:
     known = next((look for look in entry.looks if look.format is entry.format), None)
     if not stated and known is not None:
         # Columns shown again as found are those of the first look.
-        error = without_path(known.error, entry.path)
-        return replace(entry, finding=known.finding, error=error)
+        return replace(entry, finding=known.finding, error=known.error)
     try:
         return replace(entry, finding=looked_at(entry.path, entry.format, stated))
-    except LispacError as error:
+    except LispacError as refused:
         kept = entry.finding or (None if known is None else known.finding)
-        words = without_path(str(error), entry.path)
-        return replace(entry, finding=kept, error=words, error_code=error.code)
+        return replace(entry, finding=kept, error=message_about(refused, entry.path))
 
 
 def _filled(entry: Entry, progress: Progress) -> Entry:
@@ -273,7 +271,7 @@ def _filled(entry: Entry, progress: Progress) -> Entry:
         place = entry.place
         if entry.georeferenced:
             # A line's times do not hang on its coordinate system, so they are read either way.
-            place = _place(entry.options, times)
+            place = _place(entry, times)
         found = file_audit(
             entry.path, entry.format, entry.options, progress=part(progress, 0.5, 1.0)
         )
@@ -292,7 +290,8 @@ def _filled(entry: Entry, progress: Progress) -> Entry:
     return replace(entry, content=content)
 
 
-def _place(options: Mapping[str, str], times: LineTimes) -> Place:
+def _place(entry: Entry, times: LineTimes) -> Place:
+    options, file = entry.options, printable(entry.path.name)
     try:
         epoch = options.get("epoch", "").strip()
         system = coordinate_system(
@@ -303,10 +302,11 @@ def _place(options: Mapping[str, str], times: LineTimes) -> Place:
             epoch=float(epoch) if epoch else None,
         )
         latitude, longitude, _ = system.to_geodetic(times.place[None, :])
-    except InputError as error:
-        return Place(error=str(error))
+    except InputError as refused:
+        return Place(error=error("file.coordinate_system", file=file, reason=refused.reason))
     except ValueError:
-        return Place(error=f"{options['epoch']}: not a date as a decimal year; 2024.5, say.")
+        return Place(error=error("file.epoch", epoch=options["epoch"]))
     if not np.isfinite([latitude[0], longitude[0]]).all():
-        return Place(system.name, error=f"The points lie outside {system.name}.")
+        outside = error("import.outside_system", file=file, system=system.name)
+        return Place(system.name, error=outside)
     return Place(system.name, float(latitude[0]), float(longitude[0]))

@@ -1,27 +1,31 @@
-"""What there is to say about a file on its way in: a sentence each, and what would mend it."""
+"""Messages about a file that is to be imported, with the actions that resolve them."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
 from lispac.geometry.frames import geodetic_to_ecef
+from lispac.io.ascii_trajectory import COLUMNS_ASSUMED
 from lispac.io.line_times import LineTimes
-from lispac.io.registry import Kind
-from lispac.io.trajectory_facts import UNUSABLE, gap_doubts
-from lispac.message_texts import action_text, message_text
-from lispac.messages import Action, Message
-from lispac.messages import Level as MessageLevel
+from lispac.io.points import CHOOSE_SYSTEM
+from lispac.io.trajectory_facts import GAPS, gap_doubts
+from lispac.messages import Action, Level, Message, Value, by_level, error, note, warning
 from lispac.project import LineSource
 from lispac.survey.source import RESTART, printable
-from lispac.survey.time_base import Match, TimeBase, rival_matches, sentence
+from lispac.survey.time_base import Match, TimeBase, rival_matches
 from lispac.survey.time_quality import Coverage, short_of_trajectory
-from lispac.survey.time_restart import NONE, restart_words
-from lispac.survey.time_stated import Known, contradiction, following, following_words
+from lispac.survey.time_restart import NONE, restart_message
+from lispac.survey.time_stated import (
+    Known,
+    base_message,
+    contradiction,
+    following,
+    following_messages,
+)
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
-from lispac.workflow.intake_entry import Entry
+from lispac.workflow.intake_entry import COLUMNS_NOT_CHOSEN, Entry
 from lispac.workflow.intake_times import (
     SHARE_NEEDED,
     fitting,
@@ -31,108 +35,70 @@ from lispac.workflow.intake_times import (
     trajectory_base,
 )
 
-Level = Literal["error", "doubt", "note"]
-
 FARTHEST = 20_000.0
 """Metres between a line's points and the trajectory; no scanner sees farther."""
 
-
-@dataclass(frozen=True)
-class Remedy:
-    """What a button beside a sentence does to the file.
-
-    Attributes
-    ----------
-    words : str
-        On the button.
-    shift : float or None, seconds
-        Added to the line's times.
-    role : {"trajectory", "accuracy", "points", "none"} or None
-        What the file becomes; none leaves it out.
-    option : (str, str) or None
-        Option and value to state.
-    ask : str
-        Option that the user has to fill in: the window goes to its field.
-    longest_gap : float or None, seconds
-        Of the trajectory that may be bridged.
-    split_by : str or None
-        What makes several lines of the file, as `split_line` has it; empty for one line.
-    found_columns : bool
-        Takes back the remembered columns.
-    tip : str
-        What stands behind it, for the button's tip.
-    """
-
-    words: str
-    shift: float | None = None
-    role: Kind | Literal["none"] | None = None
-    option: tuple[str, str] | None = None
-    ask: str = ""
-    longest_gap: float | None = None
-    split_by: str | None = None
-    found_columns: bool = False
-    tip: str = ""
-
-
-@dataclass(frozen=True)
-class Remark:
-    """A sentence about a file.
-
-    Attributes
-    ----------
-    level : {"error", "doubt", "note"}
-        An error keeps the project from being made; a note needs no look.
-    """
-
-    level: Level
-    text: str
-    remedies: tuple[Remedy, ...] = ()
-
-
-_LEVELS: Mapping[MessageLevel, Level] = {
-    MessageLevel.ERROR: "error", MessageLevel.WARNING: "doubt", MessageLevel.NOTE: "note",
+SETTING_OPTIONS = {
+    "set_option", "use_degrees", "use_feet", "use_us_survey_feet", "swap_coordinates",
+    "clear_time_base", "ignore_rollover",
 }  # fmt: skip
-
-
-def remark_of(message: Message) -> Remark:
-    """A message about a file, with a button for each of its actions."""
-    remedies = tuple(_remedy_of(each) for each in message.actions if each.code in _REMEDIES)
-    return Remark(_LEVELS[message.level], message_text(message), remedies)
-
-
-_REMEDIES = ("set_option", "split_line")
+"""Actions that give an option (parameter ``name``) a value (parameter ``value``)."""
+CHOOSING_OPTIONS = {
+    "choose_system", "check_system", "choose_vertical_reference", "choose_frame",
+    "choose_time_base", "check_sign",
+}  # fmt: skip
+"""Actions by which the user chooses the value of an option (parameter ``name``)."""
+BRIDGE_GAPS = "bridge_gaps"
+"""Action that changes the longest gap of the project."""
+OF_A_FILE = {
+    "split_line", "keep_one_line", "leave_out", "shift_times", "clear_shift", "detect_columns",
+    BRIDGE_GAPS, *SETTING_OPTIONS, *CHOOSING_OPTIONS,
+}  # fmt: skip
 """Actions that apply to a file."""
 
+LEAVE_OUT = Action("leave_out")
+CLEAR_TIME_BASE = Action("clear_time_base", {"name": "time_base", "value": ""})
+IGNORE_ROLLOVER = Action("ignore_rollover", {"name": RESTART, "value": NONE})
 
-def _remedy_of(action: Action) -> Remedy:
-    if action.code == "split_line":
-        return Remedy(action_text(action), split_by=action.params["by"])
-    return Remedy(action_text(action), option=(action.params["name"], action.params["value"]))
+SYSTEM_ERRORS = {
+    "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
+    "trajectory.not_projected", "trajectory.unusable_system", "file.coordinate_system",
+    "las.local_frame",
+}  # fmt: skip
+"""Codes of errors that another coordinate system may resolve."""
+ABOUT_COLUMNS = {
+    "text.columns_not_named", "trajectory.columns_missing", "trajectory.position_missing",
+    "trajectory.no_columns", COLUMNS_ASSUMED,
+}  # fmt: skip
+"""Codes of warnings that say nothing more where an error asks for the columns."""
 
 
-LEAVE_OUT = Remedy("Leave it out", role="none")
+def option_to_choose(action: Action) -> str:
+    """Name of the option whose value an action asks the user to choose; empty for other actions."""
+    return str(action.params["name"]) if action.code in CHOOSING_OPTIONS else ""
 
 
-def already_there(entry: Entry, lines: Mapping[Path, str]) -> tuple[Remark, ...]:
-    """What there is to say where a file is a line of the open project; ``lines`` are names."""
+def already_there(entry: Entry, lines: Mapping[Path, str]) -> tuple[Message, ...]:
+    """The error that a file is a line of the open project; ``lines`` are names by path."""
     name = lines.get(entry.path)
     if name is None or entry.role != "points":
         return ()
-    return (Remark("error", f"This is the line {name} of the project already.", (LEAVE_OUT,)),)
+    file = printable(entry.path.name)
+    return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT,)),)
 
 
-def without_changes(entry: Entry, remarks: tuple[Remark, ...]) -> tuple[Remark, ...]:
-    """Remarks without the remedies that would change the open project lines are added to."""
+def without_changes(entry: Entry, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+    """Messages without the actions that would change the open project lines are added to."""
     return tuple(
         replace(
-            remark,
-            remedies=tuple(
-                remedy
-                for remedy in remark.remedies
-                if entry.given is None and remedy.longest_gap is None
+            message,
+            actions=tuple(
+                action
+                for action in message.actions
+                if entry.given is None and action.code != BRIDGE_GAPS
             ),
         )
-        for remark in remarks
+        for message in messages
     )
 
 
@@ -142,8 +108,8 @@ def remarks_of(
     trajectories: int,
     accuracies: int,
     longest_gap: float,
-) -> tuple[Remark, ...]:
-    """All there is to say about a file, the worst first.
+) -> tuple[Message, ...]:
+    """All messages about a file, errors first.
 
     Parameters
     ----------
@@ -156,88 +122,85 @@ def remarks_of(
     if entry.pending:
         return ()
     if entry.role is None:
-        return (Remark("note", entry.error),) if entry.error else ()
-    told = _own(entry, longest_gap)
+        return (note_of(entry.error),) if entry.error else ()
+    messages = _own(entry, longest_gap)
+    file, actions = printable(entry.path.name), (LEAVE_OUT,)
     if entry.role == "trajectory":
         if trajectories > 1:
-            told.append(_one_too_many("trajectory"))
+            messages.append(error("import.several_trajectories", file=file, actions=actions))
     elif entry.role == "accuracy":
         if accuracies > 1:
-            told.append(_one_too_many("accuracy"))
-        told += _accuracy_in_time(entry, trajectory)
+            messages.append(error("import.several_accuracies", file=file, actions=actions))
+        messages += _accuracy_in_time(entry, trajectory)
     elif trajectory is not None and isinstance(trajectory.content, Trajectory):
         base = trajectory_base(trajectory)
-        told += time_remarks(entry, trajectory.content, longest_gap, base)
-        told += _place_remarks(entry, trajectory.content)
-    order = {"error": 0, "doubt": 1, "note": 2}
-    return tuple(sorted(told, key=lambda remark: order[remark.level]))
+        messages += time_remarks(entry, trajectory.content, longest_gap, base)
+        messages += _place_remarks(entry, trajectory.content)
+    return by_level(with_possible_actions(entry, messages))
 
 
-def _one_too_many(role: str) -> Remark:
-    return Remark(
-        "error",
-        f"More than one file has the role {role}, and a project has one; leave the others out.",
-        (LEAVE_OUT,),
+def note_of(message: Message) -> Message:
+    """A message about a file that is left out, as a note."""
+    return replace(message, level=Level.NOTE)
+
+
+def with_possible_actions(entry: Entry, messages: Iterable[Message]) -> tuple[Message, ...]:
+    """The messages with those of their actions that the file has an option for."""
+    return tuple(
+        replace(message, actions=tuple(a for a in message.actions if _is_possible(entry, a)))
+        for message in messages
     )
 
 
-SYSTEM_ERRORS = {
-    "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
-    "trajectory.not_projected", "trajectory.unusable_system",
-}  # fmt: skip
-"""Codes of errors that another coordinate system may end."""
+def _is_possible(entry: Entry, action: Action) -> bool:
+    if action.code not in OF_A_FILE:
+        return False
+    if action.code not in SETTING_OPTIONS | CHOOSING_OPTIONS:
+        return True
+    options, name = entry.options, str(action.params["name"])
+    return name in options and options[name] != action.params.get("value")
 
 
-def _own(entry: Entry, longest_gap: float) -> list[Remark]:
-    """What the file says by itself."""
-    told: list[Remark] = []
+def _own(entry: Entry, longest_gap: float) -> list[Message]:
+    """Messages about the file by itself."""
+    file = printable(entry.path.name)
+    messages: list[Message] = []
     if entry.error:
-        ask = Remedy("State the coordinate system", ask="crs")
-        about_system = entry.error_code in SYSTEM_ERRORS or "coordinate system" in entry.error
-        wanted = about_system and "crs" in entry.options
-        told.append(Remark("error", entry.error, (ask, LEAVE_OUT) if wanted else (LEAVE_OUT,)))
+        about_system = entry.error.code in SYSTEM_ERRORS
+        actions = (CHOOSE_SYSTEM, LEAVE_OUT) if about_system else (LEAVE_OUT,)
+        messages.append(replace(entry.error, actions=(*entry.error.actions, *actions)))
     elif entry.place is not None and entry.place.error:
-        ask = Remedy("State the coordinate system", ask="crs")
-        told.append(Remark("error", entry.place.error, (ask, LEAVE_OUT)))
+        messages.append(replace(entry.place.error, actions=(CHOOSE_SYSTEM, LEAVE_OUT)))
     if entry.remembered and entry.finding is not None:
-        back = Remedy("Choose anew", found_columns=True)
-        told.append(
-            Remark(
-                "note", "The columns are those chosen for the last file laid out alike.", (back,)
-            )
-        )
-    # The columns that an error asks for need no doubt beside it.
-    said = "" if entry.finding is None else " ".join(entry.finding.doubts)
-    unnamed = "does not name its columns" in said or "columns lack" in said
+        actions = (Action("detect_columns"),)
+        messages.append(note("import.columns_remembered", file=file, actions=actions))
     if entry.finding is not None:
-        for doubt in entry.finding.doubts:
-            if entry.error and (doubt == entry.error or (unnamed and "columns" in doubt)):
-                continue
-            if UNUSABLE in doubt and isinstance(entry.content, Trajectory):
-                continue  # the reader does not know which gaps are to be bridged
-            told.append(Remark("doubt", doubt, _remedies_of(entry, doubt)))
-    if entry.finding is not None:
-        told += [
-            remark_of(message)
+        messages += [each for each in entry.finding.doubts if not _is_superseded(entry, each)]
+        messages += [
+            message
             for message in entry.finding.messages
             if not (entry.split_by and _is_split(message, entry.split_by))
         ]
     if entry.split_by:
         parts = entry.parts(LineSource(printable(entry.path.stem), entry.path))
-        names = tuple(each.name for each in parts)
-        message = Message("file.split", MessageLevel.NOTE, {"count": len(parts), "lines": names})
-        told.append(replace(remark_of(message), remedies=(Remedy("One line", split_by=""),)))
+        names, actions = tuple(each.name for each in parts), (Action("keep_one_line"),)
+        messages.append(note("file.split", count=len(parts), lines=names, actions=actions))
     if isinstance(entry.content, Trajectory):
-        told += [Remark("doubt", doubt) for doubt in gap_doubts(entry.content.time, longest_gap)]
+        messages += gap_doubts(entry.content.time, longest_gap, file)
     if isinstance(entry.content, LineTimes) and not entry.content.reached_end:
-        told.append(
-            Remark(
-                "note",
-                f"The file is long: the first {len(entry.content.sample):,} times looked at stand "
-                "for it here, the rest is checked when the project is made.",
-            )
-        )
-    return told
+        messages.append(note("import.first_times", file=file, count=len(entry.content.sample)))
+    return messages
+
+
+def _is_superseded(entry: Entry, doubt: Message) -> bool:
+    """Whether another message about the file says the same with more knowledge."""
+    if doubt.code == GAPS and isinstance(entry.content, Trajectory):
+        return True  # the reader does not know which gaps are to be bridged
+    if entry.error is None:
+        return False
+    is_same = (doubt.code, doubt.params) == (entry.error.code, entry.error.params)
+    asks_for_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
+    return is_same or (asks_for_columns and doubt.code in ABOUT_COLUMNS)
 
 
 def _is_split(message: Message, by: str) -> bool:
@@ -245,187 +208,163 @@ def _is_split(message: Message, by: str) -> bool:
     return any(each.code == "split_line" and each.params["by"] == by for each in message.actions)
 
 
-def _remedies_of(entry: Entry, doubt: str) -> tuple[Remedy, ...]:
-    """What the options of the format offer against a doubt of its reader."""
-    options = entry.options
-    if "look exchanged" in doubt and options.get("order") == "latitude-longitude":
-        return (Remedy("Exchange them", option=("order", "longitude-latitude")),)
-    if "radians are taken" in doubt:
-        name = "position" if "position" in doubt else "attitude"
-        return (Remedy("They are degrees", option=(name, "degrees")),)
-    if "give its EPSG code" in doubt and "crs" in options:
-        return (Remedy("State the coordinate system", ask="crs"),)
-    if "comes from feet" in doubt or "speaks of feet" in doubt:
-        return (
-            Remedy("They are feet", option=("unit", "foot")),
-            Remedy("US survey feet", option=("unit", "us-survey-foot")),
-        )
-    if "taken as EPSG" in doubt and "crs" in options:
-        return (Remedy("Look at the coordinate system", ask="crs"),)
-    if "sign" in doubt and "pitch" in doubt and "pitch" in options:
-        return (Remedy("Look at the signs", ask="pitch"),)
-    if "could also be" in doubt and "time" in options:
-        return (Remedy("Choose the time base", ask="time"),)
-    if "choose the time base" in doubt and "time_base" in options:
-        return (Remedy("Choose the time base", ask="time_base"),)
-    if "check the frame" in doubt and "frame" in options:
-        return (Remedy("Choose the frame", ask="frame"),)
-    return ()
-
-
-def _accuracy_in_time(entry: Entry, trajectory: Entry | None) -> list[Remark]:
+def _accuracy_in_time(entry: Entry, trajectory: Entry | None) -> list[Message]:
     if trajectory is None or not isinstance(trajectory.content, Trajectory):
         return []
     if not isinstance(entry.content, TrajectoryAccuracy):
         return []
+    file = printable(entry.path.name)
     own, track = entry.content.time, trajectory.content.time
     if own[-1] < track[0] or own[0] > track[-1]:
         return [
-            Remark(
-                "error",
-                f"Its times ({own[0]:,.1f} to {own[-1]:,.1f} s) do not meet those of the "
-                f"trajectory ({track[0]:,.1f} to {track[-1]:,.1f} s); give the file that belongs "
-                "to it, or leave it out and type the accuracies.",
-                (LEAVE_OUT,),
+            error(
+                "import.accuracy_times", file=file, first=float(own[0]), last=float(own[-1]),
+                start=float(track[0]), end=float(track[-1]), actions=(LEAVE_OUT,),
             )
-        ]
-    words = short_of_trajectory(own, track)
-    return [Remark("doubt", f"{words[:1].upper()}{words[1:]}.")] if words else []
+        ]  # fmt: skip
+    too_short = short_of_trajectory(own, track, file)
+    return [] if too_short is None else [too_short]
 
 
-def time_remarks(entry: Entry, track: Trajectory, longest_gap: float, known: Known) -> list[Remark]:
-    """How the trajectory covers a line, where there is something to say; ``known`` is its base."""
+def time_remarks(
+    entry: Entry, track: Trajectory, longest_gap: float, known: Known
+) -> list[Message]:
+    """Messages on how the trajectory covers a line; ``known`` is the trajectory's time base."""
     times, covered = entry.content, line_coverage(entry, track, longest_gap)
     if covered is None or not isinstance(times, LineTimes):
         return []
+    file = printable(entry.path.name)
     own, base = line_base(entry), known.base
-    if wrong := contradiction(times.sample, own):
-        back = Remedy("Take it back", option=("time_base", ""))
-        return [Remark("error", message_text(wrong), (back, LEAVE_OUT))]
+    if wrong := contradiction(times.sample, own, file):
+        return [replace(wrong, actions=(CLEAR_TIME_BASE, LEAVE_OUT))]
     if entry.follows:
-        told = _stated_remarks(entry, times, track, own, known)
+        messages = _stated_remarks(entry, times, track, own, known)
     else:
-        told = _shift_remarks(entry, times, track, base)
+        messages = _shift_remarks(entry, times, track, base)
     if times.restart:
-        told.append(_restart_remark(times))
+        restart = restart_message(times.sample, times.restart, file)
+        messages.append(replace(restart, actions=(IGNORE_ROLLOVER,)))
     if covered.usable == covered.count:
-        return told
+        return messages
     if covered.usable == 0 and covered.outside:
-        return [*told, _outside(entry, times, track, base)]
-    remedies = []
-    if covered.in_gaps:
-        widest = max((close - open_ for open_, close in covered.gaps), default=0.0)
-        if widest <= 10 * longest_gap:
-            bridged = float(np.ceil(widest * 10) / 10)
-            remedies.append(Remedy(f"Bridge up to {bridged:g} s", longest_gap=bridged))
-    words = _not_usable(covered, len(times.sample) == times.count)
+        return [*messages, *_outside(entry, times, track, base)]
+    messages += _not_usable(covered, file, longest_gap, whole=len(times.sample) == times.count)
     if more := offered_shift(entry, track, longest_gap, base):
-        remedies.insert(0, _adding(more))
-        words += (
-            f" With {more.shift:+,.3f} s added, {100 * more.share:.1f} % lie inside: make sure "
-            f"whether the scanner wrote {more.points.name}."
-        )
-    told.append(Remark("doubt", words, (*remedies,)))
-    return told
-
-
-def _restart_remark(times: LineTimes) -> Remark:
-    """That the line's own times start again, and what was made of it."""
-    words = restart_words(times.sample, times.restart)
-    back = Remedy("They do not restart", option=(RESTART, NONE))
-    return Remark("note", f"{words[:1].upper()}{words[1:]}.", (back,))
+        messages.append(
+            warning(
+                "import.shift_offered", file=file, shift=more.shift, share=more.share,
+                base=base_message(more.points), actions=(_shift_by(more),),
+            )
+        )  # fmt: skip
+    return messages
 
 
 def _stated_remarks(
     entry: Entry, times: LineTimes, track: Trajectory, own: Known, other: Known
-) -> list[Remark]:
-    """What the stated time bases do to a line."""
+) -> list[Message]:
+    """Notes on the shift that follows from the time bases given."""
     found = following(times.sample, track.time, own, other)
     if not found or not entry.shift:
         return []
-    words = following_words(found, own, other)
-    back = (Remedy("Take it back", option=("time_base", "")),) if own.stated else ()
-    return [Remark("note", f"{words}.", back)]
+    first, *others = following_messages(found, own, other, printable(entry.path.name))
+    actions = (CLEAR_TIME_BASE,) if own.stated else ()
+    return [replace(first, actions=actions), *others]
 
 
 def _shift_remarks(
     entry: Entry, times: LineTimes, track: Trajectory, base: TimeBase | None
-) -> list[Remark]:
-    """What a time shift in use rests on; a doubt where another one fits as well."""
+) -> list[Message]:
+    """The time shift in use; a warning where another one fits as well."""
     if not entry.shift:
         return []
-    told = f"{entry.shift:+,.3f} s are added to its times"
-    undo = Remedy("Take it back", shift=0.0)
+    file, undo = printable(entry.path.name), Action("clear_shift")
     found = fitting(times, track, base)
     rivals = [] if not found else [
         match for match in (found[0], *rival_matches(found)[:2])
         if abs(match.shift - entry.shift) > 1e-6
     ]  # fmt: skip
-    if not rivals:
-        return [Remark("note", f"{told}.", (undo,))]
-    others = " or ".join(f"{match.shift:+,.3f} s ({match.points.name})" for match in rivals)
-    return [
-        Remark(
-            "doubt",
-            f"{told}. By the times alone {others} would fit as well: make sure which time base "
-            "the scanner wrote.",
-            (*(_adding(match) for match in rivals), undo),
-        )
-    ]
+    messages = [note("import.shifted", file=file, shift=entry.shift, actions=(undo,))]
+    if rivals:
+        actions = (*map(_shift_by, rivals), undo)
+        messages = [replace(messages[0], actions=()), _others_fit(file, rivals, actions)]
+    return messages
 
 
-def _adding(match: Match) -> Remedy:
-    return Remedy(
-        f"Add {match.shift:+,.0f} s",
-        shift=match.shift,
-        tip=f"Points in {match.points.name}, trajectory in {match.trajectory.name}",
+def _others_fit(file: str, rivals: Iterable[Match], actions: tuple[Action, ...]) -> Message:
+    """The warning that other shifts fit the times as well."""
+    shifts = tuple(
+        note("import.shift_from", shift=match.shift, base=base_message(match.points))
+        for match in rivals
+    )
+    return warning("import.other_bases_fit", file=file, shifts=shifts, actions=actions)
+
+
+def _shift_by(match: Match) -> Action:
+    return Action(
+        "shift_times",
+        {
+            "shift": match.shift,
+            "points": base_message(match.points),
+            "trajectory": base_message(match.trajectory),
+        },
     )
 
 
-def _not_usable(covered: Coverage, whole: bool) -> str:
-    parts = []
+def _not_usable(covered: Coverage, file: str, longest_gap: float, *, whole: bool) -> list[Message]:
+    """Warnings that some points have no place on the trajectory."""
+    found = []
     if covered.outside:
-        parts.append(f"{_share(covered.share_outside, whole)} lie before or after the trajectory")
+        code = "import.points_outside" if whole else "import.points_outside_sampled"
+        found.append(warning(code, file=file, share=covered.share_outside))
     if covered.in_gaps:
-        gaps = "gaps" if len(covered.gaps) > 1 else "a gap"
-        parts.append(
-            f"{_share(covered.share_in_gaps, whole)} lie in {gaps} of the trajectory longer than "
-            f"{covered.longest_gap:g} s"
-        )
-    said = " and ".join(parts)
-    return f"{said[:1].upper()}{said[1:]}: these points will be left out."
+        code = "import.points_in_gaps" if whole else "import.points_in_gaps_sampled"
+        share, limit = covered.share_in_gaps, covered.longest_gap
+        in_gaps = warning(code, file=file, share=share, limit=limit)
+        widest = max((close - open_ for open_, close in covered.gaps), default=0.0)
+        if widest <= 10 * longest_gap:
+            bridged = float(np.ceil(widest * 10) / 10)
+            in_gaps = replace(in_gaps, actions=(Action(BRIDGE_GAPS, {"gap": bridged}),))
+        found.append(in_gaps)
+    return found
 
 
-def _share(share: float, whole: bool) -> str:
-    about = "" if whole else "about "
-    return f"{about}{100 * share:.{1 if share >= 0.001 else 3}f} % of the points"
-
-
-def _outside(entry: Entry, times: LineTimes, track: Trajectory, base: TimeBase | None) -> Remark:
-    start, end = times.start + entry.shift, times.end + entry.shift
-    span = f"{start:,.1f} to {end:,.1f} s"
-    reach = f"{track.time[0]:,.1f} to {track.time[-1]:,.1f} s"
+def _outside(
+    entry: Entry, times: LineTimes, track: Trajectory, base: TimeBase | None
+) -> list[Message]:
+    """The error that no point of a line lies within the trajectory."""
+    file = printable(entry.path.name)
+    start, end = float(times.start + entry.shift), float(times.end + entry.shift)
+    first, last = float(track.time[0]), float(track.time[-1])
     found = fitting(times, track, base)
     if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - entry.shift) > 1e-9:
-        offered = (found[0], *rival_matches(found)[:2])
-        return Remark(
-            "error",
-            f"No point lies within the trajectory (line {span}, trajectory {reach}). "
-            f"{sentence(found)}",
-            (*(_adding(match) for match in offered), LEAVE_OUT),
+        best, rivals = found[0], rival_matches(found)[:2]
+        actions = (*map(_shift_by, (best, *rivals)), LEAVE_OUT)
+        span: dict[str, Value] = {
+            "file": file, "first": start, "last": end, "start": first, "end": last,
+            "share": best.share,
+        }  # fmt: skip
+        if abs(best.shift) < 1e-9:
+            code = "import.outside_without_shift"
+            actions = (Action("clear_shift"), *map(_shift_by, rivals), LEAVE_OUT)
+        else:
+            code = "import.outside_with_shift"
+            span |= {
+                "shift": best.shift, "points": base_message(best.points),
+                "trajectory": base_message(best.trajectory),
+            }  # fmt: skip
+        outside = Message(code, Level.ERROR, span, actions=actions)
+        return [outside, *([_others_fit(file, rivals, ())] if rivals else [])]
+    is_before = end < first
+    return [
+        error(
+            "import.before_trajectory" if is_before else "import.after_trajectory", file=file,
+            first=start, last=end, start=first, end=last,
+            distance=first - end if is_before else start - last, actions=(LEAVE_OUT,),
         )
-    apart = track.time[0] - end if end < track.time[0] else start - track.time[-1]
-    where = "before it starts" if end < track.time[0] else "after it ends"
-    return Remark(
-        "error",
-        f"No point lies within the trajectory: the line is {span}, the trajectory {reach}, "
-        f"{apart:,.0f} s {where}. No known time base brings them together; give the trajectory of "
-        "the same survey, or leave the line out.",
-        (LEAVE_OUT,),
-    )
+    ]  # fmt: skip
 
 
-def _place_remarks(entry: Entry, track: Trajectory) -> list[Remark]:
+def _place_remarks(entry: Entry, track: Trajectory) -> list[Message]:
     place = entry.place
     if place is None or place.error:
         return []
@@ -435,10 +374,8 @@ def _place_remarks(entry: Entry, track: Trajectory) -> list[Remark]:
     if distance < FARTHEST:
         return []
     return [
-        Remark(
-            "error",
-            f"In {place.system} the points lie {distance / 1000:,.0f} km from the trajectory; "
-            "state the coordinate system that they are in.",
-            (Remedy("State the coordinate system", ask="crs"), LEAVE_OUT),
+        error(
+            "import.far_from_trajectory", file=printable(entry.path.name), system=place.system,
+            distance=distance, actions=(CHOOSE_SYSTEM, LEAVE_OUT),
         )
-    ]
+    ]  # fmt: skip

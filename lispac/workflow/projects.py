@@ -130,7 +130,7 @@ def new_project(
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
     _require_new(draft)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     known = tuple(lines)
     if not settled:
         known, trajectory_reading, accuracy_reading, notes = settled_readings(
@@ -159,13 +159,13 @@ def settled_readings(
     trajectory_reading: Reading,
     accuracy: Path | None,
     accuracy_reading: Reading,
-) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[str, ...]]:
+) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[Message, ...]]:
     """How all files of a new project are read, from what is given and what is found in them.
 
     Returns
     -------
     lines, trajectory_reading, accuracy_reading : settled
-    notes : tuple of str
+    notes : tuple of Message
 
     Raises
     ------
@@ -226,10 +226,10 @@ def with_lines_added(
 
 def _settled_lines(
     lines: Sequence[LineSource],
-) -> tuple[tuple[LineSource, ...], tuple[str, ...]]:
-    """Lines with how each is read, and what was found in their files."""
+) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
+    """Lines with how each is read, and messages about their files."""
     known: list[LineSource] = []
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     for line in lines:
         named = bool(line.columns)
         reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)

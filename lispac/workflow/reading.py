@@ -1,4 +1,4 @@
-"""Reading the survey's files as their formats say, and looking into a file before it is used."""
+"""Reading the files of a survey in their formats, and checking a file before it is used."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -8,16 +8,17 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.files import require_file
+from lispac.io.files import message_about, require_file
 from lispac.io.formats import format_of, is_las, recognised
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
-from lispac.io.points import NO_SYSTEM, SCANNER, require_filled, system_of
+from lispac.io.points import CHOOSE_FRAME, NO_SYSTEM, SCANNER, require_filled, system_of
 from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.io.static_scan import without_time
 from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
-from lispac.messages import error
+from lispac.messages import Message, error, note, warning
 from lispac.project import LineSource, Project, Reading
+from lispac.survey.source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
 FARTHEST_ORIGIN = 100_000.0
@@ -46,14 +47,14 @@ class Look:
     format : Format
     sureness : float, 0 to 1
     finding : Finding or None
-    error : str
-        Why it cannot be looked into, where there is no finding.
+    error : Message or None
+        Why it cannot be read, where there is no finding.
     """
 
     format: Format
     sureness: float
     finding: Finding | None
-    error: str = ""
+    error: Message | None = None
 
 
 def looks(path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")) -> list[Look]:
@@ -78,14 +79,15 @@ def looks(path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "poin
 def _look(path: Path, format: Format, sure: float) -> Look:
     try:
         return Look(format, sure, format.look(path, {}))
-    except InputError as error:
-        return Look(format, sure, None, str(error))
+    except InputError as refused:
+        return Look(format, sure, None, message_about(refused, path))
 
 
 def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
-    """Look into a file with what is stated of it.
+    """Look into a file with the options that the user gives.
 
-    A system that is stated is not asked for, and one that is not used is doubted.
+    There is no warning about a missing coordinate system where one is given, and a warning where
+    the one given is not used.
 
     Raises
     ------
@@ -97,23 +99,22 @@ def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
     if format.kind != "points" or not crs:
         return finding
     if {**finding.choice, **stated}.get("frame", SCANNER) != SCANNER:
-        told = tuple(doubt for doubt in finding.doubts if NO_SYSTEM not in doubt)
-        return replace(finding, doubts=told)
-    doubt = (
-        f"{crs} is stated for it, but its points are in the scanner frame, where no coordinate "
-        "system is used: leave it out, or check the frame (frame=georeferenced)."
+        kept = tuple(each for each in finding.doubts if each.code != NO_SYSTEM)
+        return replace(finding, doubts=kept)
+    unused = warning(
+        "points.unused_system", file=printable(path.name), system=crs, actions=(CHOOSE_FRAME,)
     )
-    return replace(finding, doubts=(*finding.doubts, doubt))
+    return replace(finding, doubts=(*finding.doubts, unused))
 
 
-def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[str, ...]]:
+def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
     """Settle how a file is read: what was given, the rest as found in it.
 
     Returns
     -------
     reading : Reading
-    notes : tuple of str
-        What was found and not stated, and what there is to doubt.
+    messages : tuple of Message
+        Warnings, and a note on the options that were detected.
 
     Raises
     ------
@@ -133,17 +134,22 @@ def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[str,
     stated = dict(given.options)
     finding = looked_at(path, format, stated)
     choice = format.settled({**finding.choice, **stated})
-    said = [f"{path.name}: {doubt}" for doubt in finding.doubts]
-    detected = [f"{name} {value}" for name, value in choice.items() if value and name not in stated]
+    messages = list(finding.doubts)
+    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in stated]
     if detected:
-        said.append(f"{path.name}: read as {format.name}, with {', '.join(detected)}")
+        file = printable(path.name)
+        messages.append(note(READ_AS, file=file, format=format.name, options=detected))
     options = tuple((name, str(value)) for name, value in choice.items() if value != "")
-    return replace(given, format=format.key, options=options), tuple(said)
+    return replace(given, format=format.key, options=options), tuple(messages)
+
+
+READ_AS = "import.read_as"
+"""Code of the note on the options that were detected."""
 
 
 def usual_or_settled(
     path: Path, kind: Kind, given: Reading, *, columns: bool = False
-) -> tuple[Reading, tuple[str, ...]]:
+) -> tuple[Reading, tuple[Message, ...]]:
     """As `settled`, but the program's own way where the file agrees with it.
 
     Parameters
@@ -161,13 +167,13 @@ def usual_or_settled(
             return given, ()
     if not given.format and not given.options and not recognised(path, kind):
         return given, ()  # the usual reader says best what is wrong with a damaged file
-    reading, notes = settled(path, kind, given)
+    reading, messages = settled(path, kind, given)
     usual = USUAL[kind]
     own = reading.format == usual and not given.format and not given.options
     if own and _agrees(reading, usual):
-        told = tuple(note for note in notes if ": read as " not in note)
-        return replace(reading, format="", options=()), told
-    return reading, notes
+        kept = tuple(each for each in messages if each.code != READ_AS)
+        return replace(reading, format="", options=()), kept
+    return reading, messages
 
 
 USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
@@ -200,8 +206,8 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
     return found.with_positions_only()
 
 
-def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str, ...]]:
-    """The trajectory of a project in its local frame, and what was assumptions, in words.
+def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str | Message, ...]]:
+    """The trajectory of a project in its local frame, and the assumptions of its reading.
 
     Raises
     ------

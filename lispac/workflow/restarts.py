@@ -7,9 +7,10 @@ import numpy as np
 
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format, PointChunk
+from lispac.messages import Message
 from lispac.project import LineSource
-from lispac.survey.source import RESTART
-from lispac.survey.time_restart import NONE, PERIODS, restart_words
+from lispac.survey.source import RESTART, printable
+from lispac.survey.time_restart import NONE, PERIODS, restart_message
 from lispac.workflow.reading import format_of_line
 
 NEAR = 6 * 3600.0
@@ -19,14 +20,14 @@ farther from."""
 
 def lines_counted_on(
     lines: Sequence[LineSource],
-) -> tuple[tuple[LineSource, ...], tuple[str, ...]]:
-    """Settle for lines whether their times start again, by the times themselves.
+) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
+    """Settle for lines whether their times start again, by the times.
 
     Returns
     -------
     lines : tuple of LineSource
         Those whose times start again with the option that says so.
-    notes : tuple of str
+    notes : tuple of Message
 
     Raises
     ------
@@ -34,7 +35,7 @@ def lines_counted_on(
         Where a file cannot be read.
     """
     settled: list[LineSource] = []
-    notes: list[str] = []
+    notes: list[Message] = []
     for line in lines:
         settled.append(line)
         if line.reading.restart == NONE:
@@ -48,7 +49,7 @@ def lines_counted_on(
             continue
         options = dict(line.reading.options) | {RESTART: times.restart}
         settled[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
-        notes.append(f"{line.path.name}: {restart_words(times.sample, times.restart)}")
+        notes.append(restart_message(times.sample, times.restart, printable(line.path.name)))
     return tuple(settled), tuple(notes)
 
 

@@ -8,16 +8,16 @@ from lispac.errors import InputError
 from lispac.io.formats import format_of, suggests_time
 from lispac.io.line_times import line_times
 from lispac.io.registry import Choice, Format
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.project import LineSource, Reading
-from lispac.survey.source import RESTART
+from lispac.survey.source import RESTART, printable
 from lispac.survey.time_base import base_of
 from lispac.survey.time_restart import NONE
 from lispac.survey.time_stated import (
     Known,
     contradiction,
     following,
-    following_words,
+    following_messages,
     nowhere,
 )
 from lispac.workflow.reading import USUAL, format_of_line, read_trajectory
@@ -73,7 +73,7 @@ def lines_in_trajectory_time(
     trajectory_reading: Reading,
     *,
     trajectory_stated: bool,
-) -> tuple[tuple[LineSource, ...], tuple[str, ...]]:
+) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
     """Give lines the time shift that follows from what is stated of the time bases.
 
     Parameters
@@ -91,7 +91,7 @@ def lines_in_trajectory_time(
     -------
     lines : tuple of LineSource
         Those that nothing follows for as they came.
-    notes : tuple of str
+    notes : tuple of Message
 
     Raises
     ------
@@ -99,8 +99,8 @@ def lines_in_trajectory_time(
         Where the times cannot be what is stated, or a shift is given besides that differs from
         the one that follows.
     """
-    says = [dict(reading.options).get("time_base", "") for reading in stated]
-    if not any(says) and not trajectory_stated:
+    bases = [dict(reading.options).get("time_base", "") for reading in stated]
+    if not any(bases) and not trajectory_stated:
         return tuple(lines), ()
     track = read_trajectory(trajectory, trajectory_reading).time
     other = known_base(
@@ -108,32 +108,27 @@ def lines_in_trajectory_time(
         dict(trajectory_reading.options), "time", stated=trajectory_stated,
     )  # fmt: skip
     moved: list[LineSource] = []
-    notes: list[str] = []
-    for line, said in zip(lines, says, strict=True):
+    notes: list[Message] = []
+    for line, base in zip(lines, bases, strict=True):
         moved.append(line)
-        if not said and not trajectory_stated:
+        if not base and not trajectory_stated:
             continue
         format, choice, _ = format_of_line(line)
-        own = known_base(format, line.path, choice, "time_base", stated=bool(said))
+        own = known_base(format, line.path, choice, "time_base", stated=bool(base))
         choice = {**choice, RESTART: line.reading.restart or NONE}
         times = line_times(line.path, format, choice).sample
-        if wrong := contradiction(times, own):
-            raise InputError(error("import.time_base_refused", file=str(line.path), reason=wrong))
+        if wrong := contradiction(times, own, str(line.path)):
+            raise InputError(wrong)
         found = following(times, track, own, other)
         typed = line.reading.time_shift
         if found is None:
             if own.base is None and not typed:
-                notes.append(
-                    f"{line.path.name}: the file does not say what its times count; they are taken "
-                    f"to be the trajectory's {other.words}"
-                )
+                file = printable(line.path.name)
+                notes.append(note("import.base_assumed", file=file, base=other.message))
             continue
         if not found:
             if not typed:
-                reason = nowhere(own, other, times, track)
-                raise InputError(
-                    error("import.time_base_refused", file=str(line.path), reason=reason)
-                )
+                raise InputError(nowhere(own, other, times, track, str(line.path)))
             continue
         shift = found[0].shift
         if typed:
@@ -150,5 +145,5 @@ def lines_in_trajectory_time(
                 )
         elif shift:
             moved[-1] = replace(line, reading=replace(line.reading, time_shift=shift))
-            notes.append(f"{line.path.name}: {following_words(found, own, other)}")
+            notes += following_messages(found, own, other, printable(line.path.name))
     return tuple(moved), tuple(notes)

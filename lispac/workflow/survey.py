@@ -25,6 +25,7 @@ from lispac.survey.audit_messages import line_messages, shared_messages, simulta
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.line_audit import LineAudit
+from lispac.survey.source import printable
 from lispac.survey.store.layout import is_import
 from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
@@ -62,8 +63,8 @@ class Survey:
     scans : points of each line by its name
     clouds : lines in the local frame, placed with the prior mounting, by name
     heading : median heading of the vessel on each line, radians
-    notes : tuple of str
-        What was assumed or left out while reading, in words.
+    notes : tuple of str or Message
+        What was assumed or excluded while reading.
     messages : tuple of Message
         Warnings and notes about the content of the files.
     """
@@ -73,7 +74,7 @@ class Survey:
     scans: Mapping[str, Line]
     clouds: Mapping[str, Cloud]
     heading: Mapping[str, float]
-    notes: tuple[str, ...]
+    notes: tuple[str | Message, ...]
     messages: tuple[Message, ...] = ()
 
     @property
@@ -209,7 +210,7 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _with_shifts(project: Project, notes: tuple[str, ...]) -> tuple[str, ...]:
+def _with_shifts(project: Project, notes: tuple[str | Message, ...]) -> tuple[str | Message, ...]:
     """What is assumptions of times, where some lines' are shifted."""
     shifted = [line for line in project.lines if line.reading.time_shift]
     if not shifted:
@@ -225,12 +226,13 @@ def _with_shifts(project: Project, notes: tuple[str, ...]) -> tuple[str, ...]:
 
 def _accuracy(
     project: Project, trajectory: LocalTrajectory
-) -> tuple[TrajectoryAccuracy, tuple[str, ...]]:
+) -> tuple[TrajectoryAccuracy, tuple[str | Message, ...]]:
     if project.accuracy is not None:
         accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
         _require_overlap(accuracy, trajectory, project.accuracy)
-        words = short_of_trajectory(accuracy.time, trajectory.time)
-        return accuracy, (f"{project.accuracy.name}: {words}",) if words else ()
+        file = printable(project.accuracy.name)
+        too_short = short_of_trajectory(accuracy.time, trajectory.time, file)
+        return accuracy, () if too_short is None else (too_short,)
     typed = TrajectoryAccuracy.constant(
         np.array(project.settings.position_sigma),
         np.radians(project.settings.attitude_sigma_deg),

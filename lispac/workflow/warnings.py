@@ -17,6 +17,7 @@ from lispac.project import Project
 from lispac.report.cautions import cautions_of
 from lispac.report.content import report_content
 from lispac.survey.lever_arm import lever_arm_doubts
+from lispac.survey.source import printable
 from lispac.targets.quality import SightingQuality
 from lispac.workflow.facing import face_one_way
 from lispac.workflow.survey import Survey
@@ -91,18 +92,25 @@ def _data(project: Project, survey: Survey | None) -> Iterator[Message]:
     """What was assumed or excluded while the files were read."""
     if survey is None:
         return
-    for text in survey.notes:
-        yield note("project.import_note", reason=text, subject=_file(project, text))
+    for each in survey.notes:
+        yield note("project.import_note", reason=each, subject=_file(project, each))
     for message in survey.messages:  # warnings come with those about the result
         if message.level is Level.NOTE:
             yield message
 
 
-def _file(project: Project, text: str) -> Cause:
-    """The line whose file a note begins with, where it is one."""
-    lines = [
-        line for line in project.lines if text.startswith((f"{line.path.name}:", f"{line.path} "))
-    ]
+def _file(project: Project, about: str | Message) -> Cause:
+    """The line whose file a note is about, where it is one."""
+    if isinstance(about, Message):
+        lines = [
+            line for line in project.lines
+            if about.params.get("file") == printable(line.path.name)
+        ]  # fmt: skip
+    else:
+        lines = [
+            line for line in project.lines
+            if about.startswith((f"{line.path.name}:", f"{line.path} "))
+        ]  # fmt: skip
     return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA
 
 

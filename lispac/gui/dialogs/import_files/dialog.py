@@ -39,6 +39,7 @@ from lispac.identity import BLANK
 from lispac.installed import expanded
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.language import Plural, gettext
+from lispac.messages import Action
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
 from lispac.workflow.sensors import library
 
@@ -322,8 +323,8 @@ class ImportDialog(QDialog):
 
     # -- what is asked -----------------------------------------------------------------------
 
-    def _mend(self, path: Path, remedy) -> None:
-        self.work.edit(self.intake.with_remedy(path, remedy))
+    def _mend(self, path: Path, action: Action) -> None:
+        self.work.edit(self.intake.with_action(path, action))
 
     def _remove(self) -> None:
         path = self.table.current

@@ -19,8 +19,11 @@ from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.language import gettext
+from lispac.message_texts import note_text
+from lispac.messages import Action
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
+from lispac.workflow.intake_remarks import option_to_choose
 
 ASSUMED = "assumed"
 """Fact of a file of points that is an assumption."""
@@ -136,7 +139,7 @@ class FilePage(QWidget):
         while self.facts.rowCount():
             self.facts.removeRow(0)
         facts = {} if finding is None else dict(finding.facts)
-        assumed = [] if finding is None else list(finding.assumptions)
+        assumed = [] if finding is None else [note_text(each) for each in finding.assumptions]
         if ASSUMED in facts:
             assumed += [facts.pop(ASSUMED)]
         self._add_fact(gettext("Folder"), str(entry.path.parent))
@@ -156,8 +159,8 @@ class FilePage(QWidget):
         value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.facts.addRow(head, value)
 
-    def _remedy(self, remedy, _place: int) -> None:
-        if remedy.ask:
-            self.options.ask(remedy.ask)
+    def _remedy(self, action: Action, _place: int) -> None:
+        if option := option_to_choose(action):
+            self.options.ask(option)
         else:
-            self.remedy_chosen.emit(remedy)
+            self.remedy_chosen.emit(action)

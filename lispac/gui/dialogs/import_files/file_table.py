@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.language import N_, gettext
@@ -112,8 +112,8 @@ class FileTable(QTableWidget):
             item.setText(state)
             item.setForeground(QColor(colour))
             item.setIcon(words.state_icon(intake, entry))
-            remarks = "\n".join(say(remark.text) for remark in intake.remarks(entry))
-            item.setToolTip(widgets.plain_tip(remarks or state))
+            tip = "\n".join(map(say_message, intake.remarks(entry))) or state
+            item.setToolTip(widgets.plain_tip(tip))
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say, say_sentences
+from lispac.gui.language import say_message, say_sentences
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.language import gettext
@@ -118,7 +118,7 @@ class OptionsForm(QWidget):
             return
         self.system.setVisible(True)
         self.system.setText(
-            say(place.error)
+            say_message(place.error)
             if place.error
             else gettext("Coordinate system: {system}.", system=place.system)
         )

@@ -7,15 +7,16 @@ from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
+from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
-from lispac.workflow.intake_remarks import Remark, Remedy
+from lispac.message_texts import action_text, action_tip
+from lispac.messages import Action, Level, Message
 
 _MARKS = {
-    "error": ("close-octagon-outline", "error", N_("Error")),
-    "doubt": ("alert-outline", "warning", N_("Warning")),
-    "note": ("information-outline", "muted", N_("Note")),
+    Level.ERROR: ("close-octagon-outline", "error", N_("Error")),
+    Level.WARNING: ("alert-outline", "warning", N_("Warning")),
+    Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
 """Icon, role of its colour and label of each level."""
 TALLEST = 150
@@ -25,7 +26,7 @@ class RemarksView(QScrollArea):
     """Shows remarks; as tall as they are up to a limit, beyond which it scrolls."""
 
     remedy_chosen = Signal(object, int)
-    """A `Remedy`, and the number of its remark."""
+    """An `Action`, and the index of its message."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -34,7 +35,7 @@ class RemarksView(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self._shown: tuple[Remark, ...] | None = None
+        self._shown: tuple[Message, ...] | None = None
         self._body = QWidget()
         self._rows = QVBoxLayout(self._body)
         self._rows.setContentsMargins(0, 0, 4, 0)
@@ -44,8 +45,8 @@ class RemarksView(QScrollArea):
         self._body.setAutoFillBackground(False)
         self.buttons: list[widgets.Button] = []
 
-    def show_remarks(self, remarks: Sequence[Remark], fine: str) -> None:
-        """Show remarks, or the text ``fine`` where there are none."""
+    def show_remarks(self, remarks: Sequence[Message], fine: str) -> None:
+        """Show messages, or the text ``fine`` where there are none."""
         if self._shown == tuple(remarks) and remarks:
             return
         self._shown = tuple(remarks)
@@ -57,10 +58,11 @@ class RemarksView(QScrollArea):
                 row.deleteLater()
         if not remarks and fine:
             self._put(_row("check-circle-outline", "done", N_("OK"), fine)[0])
-        for place, remark in enumerate(remarks):
-            row, layout = _row(*_MARKS[remark.level], remark.text)
-            for remedy in remark.remedies:
-                layout.addWidget(self._button(remedy, remark, place), 0, Qt.AlignmentFlag.AlignTop)
+        for place, message in enumerate(remarks):
+            row, layout = _row(*_MARKS[message.level], say_message(message))
+            for action in message.actions:
+                button = self._button(action, message, place)
+                layout.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
             self._put(row)
         self._rows.addStretch(1)
         self._fit()
@@ -72,11 +74,12 @@ class RemarksView(QScrollArea):
         # A row has no height until the layout shows it.
         row.show()
 
-    def _button(self, remedy: Remedy, remark: Remark, place: int) -> widgets.Button:
-        made = widgets.button(remedy.words, f"remedy_{len(self.buttons)}", tip=remedy.tip)
+    def _button(self, action: Action, message: Message, place: int) -> widgets.Button:
+        name = f"remedy_{len(self.buttons)}"
+        made = widgets.button(action_text(action), name, tip=action_tip(action))
         made.setAutoDefault(False)
-        made.setAccessibleDescription(say(remark.text))
-        made.clicked.connect(lambda: self.remedy_chosen.emit(remedy, place))
+        made.setAccessibleDescription(say_message(message))
+        made.clicked.connect(lambda: self.remedy_chosen.emit(action, place))
         self.buttons.append(made)
         return made
 

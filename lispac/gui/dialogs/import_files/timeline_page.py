@@ -1,5 +1,6 @@
 """Page with the timeline of the import, remarks on times, and their remedies."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -10,15 +11,15 @@ from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.dialogs.import_files.timeline import TimelineView
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
+from lispac.messages import Action, Level, Message
 from lispac.workflow.intake import Intake
-from lispac.workflow.intake_remarks import Remark, Remedy
 
 
 class TimelinePage(QWidget):
     """Timeline, remarks on lines that are not covered, and the longest interpolated gap."""
 
     remedy_chosen = Signal(object, object)
-    """Path, and `Remedy`."""
+    """Path, and `Action`."""
     shift_all_asked = Signal()
     gap_changed = Signal(float)
     file_selected = Signal(object)
@@ -72,14 +73,12 @@ class TimelinePage(QWidget):
         self.gap.setValue(intake.longest_gap)
         self.gap.blockSignals(False)
         self.gap.setEnabled(intake.into is None)
-        found: list[tuple[Path, Remark]] = []
+        found: list[tuple[Path, Message]] = []
         for line in intake.lines:
-            for remark in intake.time_remarks(line):
-                named = Remark(
-                    remark.level, f"{intake.names[line.path]}: {remark.text}", remark.remedies
-                )
-                found.append((line.path, named))
-        found.sort(key=lambda pair: pair[1].level != "error")
+            for message in intake.time_remarks(line):
+                params = {**message.params, "file": intake.names[line.path]}
+                found.append((line.path, replace(message, params=params)))
+        found.sort(key=lambda pair: pair[1].level is not Level.ERROR)
         self._owners = [path for path, _ in found]
         fine = ""
         if intake.track is not None and intake.lines:
@@ -88,7 +87,7 @@ class TimelinePage(QWidget):
                 count=len(intake.lines),
             )
         self.remarks.setVisible(bool(found or fine))
-        self.remarks.show_remarks([remark for _, remark in found], fine)
+        self.remarks.show_remarks([message for _, message in found], fine)
         self.lost.setText(_share_in_gaps(intake))
         offered = intake.shifts_offered
         self.all.setVisible(len(offered) > 1)
@@ -103,8 +102,8 @@ class TimelinePage(QWidget):
         else:
             self.all.setText(gettext("Shift all {count:n} lines outside", count=len(offered)))
 
-    def _remedy(self, remedy: Remedy, place: int) -> None:
-        self.remedy_chosen.emit(self._owners[place], remedy)
+    def _remedy(self, action: Action, place: int) -> None:
+        self.remedy_chosen.emit(self._owners[place], action)
 
 
 def _share_in_gaps(intake: Intake) -> str:

@@ -7,6 +7,7 @@ from lispac.gui.language import say
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
 from lispac.language import N_, Plural, gettext, number
+from lispac.messages import Level
 from lispac.survey.time_base import KEYS, TimeBase, base_of
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake import Intake
@@ -171,7 +172,7 @@ def state(intake: Intake, entry: Entry) -> tuple[str, str]:
         case "error":
             return gettext("Error"), theme.ERROR
         case "doubt":
-            warnings = sum(remark.level == "doubt" for remark in intake.remarks(entry))
+            warnings = sum(remark.level is Level.WARNING for remark in intake.remarks(entry))
             text = gettext(Plural("{count:n} warning", "{count:n} warnings"), count=warnings)
             return text, theme.WARNING
     is_unknown = not entry.looks and not entry.pending

@@ -6,12 +6,15 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.errors import Cancelled
+from lispac.errors import Cancelled, LispacError
 from lispac.gui.dialogs.error import describe
 from lispac.gui.language import say
 from lispac.gui.tasks import TaskRunner
+from lispac.io.files import message_about
 from lispac.language import gettext
+from lispac.messages import Message, error
 from lispac.progress import Progress
+from lispac.survey.source import printable
 from lispac.workflow.intake import Intake, gathered, project_among
 from lispac.workflow.intake_entry import Entry, examined, examined_again, examined_as_given
 
@@ -78,10 +81,9 @@ class Work(QObject):
         self.runner.cancel()
         self._queued = {}
         self._done = 0
-        text = gettext("Not read because reading was stopped. Press Read again.")
         entries = tuple(
-            replace(each, pending=False, error=text, error_code=STOPPED) if each.pending else each
-            for each in self.intake.entries
+            replace(e, pending=False, error=_stopped(e)) if e.pending else e
+            for e in self.intake.entries
         )
         self.intake = replace(self.intake, entries=entries)
         self.changed.emit()
@@ -89,15 +91,12 @@ class Work(QObject):
     @property
     def was_stopped(self) -> bool:
         """Whether some files were not read because the user stopped the reading."""
-        return any(entry.error_code == STOPPED for entry in self.intake.entries)
+        return any(_was_stopped(entry) for entry in self.intake.entries)
 
     def look_again(self) -> None:
         """Read the files that were skipped when the reading was stopped."""
         entries = tuple(
-            replace(each, pending=True, error="", error_code="")
-            if each.error_code == STOPPED
-            else each
-            for each in self.intake.entries
+            replace(e, pending=True) if _was_stopped(e) else e for e in self.intake.entries
         )
         self.edit(replace(self.intake, entries=entries))
 
@@ -144,12 +143,8 @@ class Work(QObject):
                 return examined_again(entry, progress=progress)
             except Cancelled:
                 raise
-            except Exception as error:  # the other files are read whatever fails
-                text, details = describe(error)
-                if details:
-                    reason = f"{type(error).__name__}: {error}"
-                    text = gettext("The file cannot be read ({reason}).", reason=reason)
-                return replace(entry, pending=False, error=text)
+            except Exception as failure:  # whatever one file does, the others are examined
+                return replace(entry, pending=False, error=_not_examined(entry, failure))
 
         def done(found: Entry) -> None:
             if self._queued.get(entry.path) is not entry:
@@ -160,3 +155,22 @@ class Work(QObject):
 
         title = gettext("Reading {file}", file=entry.path.name)
         self.runner.run(title, work, done, key=str(entry.path))
+
+
+def _stopped(entry: Entry) -> Message:
+    return error(STOPPED, file=printable(entry.path.name))
+
+
+def _was_stopped(entry: Entry) -> bool:
+    return entry.error is not None and entry.error.code == STOPPED
+
+
+def _not_examined(entry: Entry, failure: Exception) -> Message:
+    """The error of a file that cannot be examined, whatever went wrong."""
+    if isinstance(failure, LispacError):
+        return message_about(failure, entry.path)
+    file, (sentence, details) = printable(entry.path.name), describe(failure)
+    if not details:
+        return error("file.refused", file=file, reason=sentence)
+    kind = type(failure).__name__
+    return error("import.not_examined", file=file, kind=kind, reason=str(failure))
