@@ -4,6 +4,7 @@ import json
 import os
 import sys
 from argparse import ArgumentTypeError
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.parameters import Parameter
+from lispac.causes import Cause
 from lispac.cli.main import main
 from lispac.cli.values import finite, within
 from lispac.errors import InputError, LispacError, ProjectError
@@ -20,6 +22,8 @@ from lispac.io.formats import format_of
 from lispac.io.project_file import FILE_NAME, read_project
 from lispac.io.toml_table import Table
 from lispac.project import Project, Settings
+from lispac.survey.store.layout import read_manifest, write_manifest
+from lispac.workflow.importing import import_lines, line_folder
 from lispac.workflow.survey import load_survey
 
 
@@ -225,3 +229,19 @@ def test_records_with_denormal_times_draw_no_conclusion(tmp_path: Path) -> None:
         format_of("sbet").look(path, {})
     except InputError:
         return
+
+
+def test_stored_points_beyond_the_range_of_the_scanner_draw_a_warning(copy: Project) -> None:
+    import_lines(copy)
+    line = copy.lines[0]
+
+    def codes() -> list[str]:
+        messages = load_survey(copy).messages
+        return [m.code for m in messages if m.subject == Cause.of_line(line.name)]
+
+    assert "audit.beyond_range" not in codes()
+    folder = line_folder(copy, line)
+    manifest = read_manifest(folder)
+    assert manifest is not None
+    write_manifest(folder, replace(manifest, reach=17e3))
+    assert "audit.beyond_range" in codes()
