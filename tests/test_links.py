@@ -220,3 +220,22 @@ def test_no_line_is_copied_behind_a_link(project: Project, tmp_path: Path) -> No
         save_project_as(project, survey, tmp_path / "copy")
     assert not contents(tmp_path / "elsewhere")
     assert not (tmp_path / "copy" / "project.json").exists()
+
+
+def test_a_new_demo_leaves_the_files_of_the_user(tmp_path: Path) -> None:
+    folder = tmp_path / "demo"
+    make_demo(folder, points_per_second=1000.0)
+    mine = {
+        f"{place}/{name}": b"mine"
+        for place in ("raw", "truth", "sightings")
+        for name in ("mine.laz", "mine.npz", "notes/mine.txt")
+    }
+    for name, content in mine.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content)
+    before = contents(folder)
+    make_demo(folder, points_per_second=1000.0)
+    after = contents(folder)
+    assert {name: after.get(name) for name in mine} == mine
+    assert after.keys() == before.keys()
+    assert read_project(folder).lines

@@ -557,6 +557,13 @@ def _remove_unused(folder: Path, used: set[str]) -> None:
             path.unlink(missing_ok=True)
 
 
+def remove_points(folder: Path) -> None:
+    """Remove all files of points of a project that is replaced; those of the user stay."""
+    _remove_unused(folder, set())
+    if not is_link(folder / SIGHTINGS):
+        remove_empty([folder / SIGHTINGS])
+
+
 def _is_own(path: Path) -> bool:
     """Whether a file of points has the content that its name says."""
     named = re.fullmatch(r"[A-Za-z0-9_-]*-([0-9a-f]{16})\.npz", path.name)
