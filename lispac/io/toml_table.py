@@ -176,6 +176,12 @@ class Table:
             raise self.refuse(key, "toml.not_a_number", value=_shown(value))
         if not math.isfinite(value):
             raise self.refuse(key, "toml.not_finite", value=_shown(value))
+        if value < least:
+            raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=f"{least:g}")
+        if value <= over:
+            raise self.refuse(key, "toml.not_above", value=f"{value:g}", bound=f"{over:g}")
+        if value > most:
+            raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{most:g}")
         if not is_possible_amount(value):
             bound = f"{math.copysign(LARGEST_AMOUNT, value):g}"
             if abs(value) < LEAST_AMOUNT:
@@ -183,12 +189,6 @@ class Table:
             if value > 0:
                 raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=bound)
             raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=bound)
-        if value < least:
-            raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=f"{least:g}")
-        if value <= over:
-            raise self.refuse(key, "toml.not_above", value=f"{value:g}", bound=f"{over:g}")
-        if value > most:
-            raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{most:g}")
         return float(value)
 
 

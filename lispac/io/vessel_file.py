@@ -20,7 +20,7 @@ from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.vessel import LAUNCH, Handling
 from lispac.survey.georeferencing import Mounting
 
-LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST = 1e4, 180.0, 1e9
+LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST = 1e3, 10.0, 1e9
 """Largest errors of a POS, metres and degrees, and longest time about them, seconds."""
 KINDS = ("gauss-markov", "white", "outage", "jumps")
 
