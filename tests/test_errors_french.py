@@ -72,8 +72,8 @@ NOT_SAID: dict[str, set[str]] = {
         "ellipsoid;",
         "# roll positive starboard down, pitch positive bow up, heading clockwise from true north, "
         "in degrees (Applanix).",
-        "Built-in survey; remade by every run of the demo.\n",
-        "Simulated survey; remade by every run of the simulation into it.\n",
+        "Built-in survey; each run of the demo replaces it.\n",
+        "Simulated survey; each simulation replaces it.\n",
     },
     "the tables beside the figures of a study of visibility, and the command line's of them": {
         "Visibility on the 7 site",

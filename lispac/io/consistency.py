@@ -58,10 +58,10 @@ def require_single_names(project: Project) -> None:
     ------
     InvalidContentError
     """
-    for code, parameter, named in (
-        ("content.duplicate_line", "line", [line.name for line in project.lines]),
-        ("content.duplicate_target", "target", [target.name for target in project.targets]),
-    ):
-        for name in named:
-            if named.count(name) > 1:
-                raise InvalidContentError(error(code, **{parameter: name}))
+    lines, targets = ([each.name for each in some] for some in (project.lines, project.targets))
+    for line in lines:
+        if lines.count(line) > 1:
+            raise InvalidContentError(error("content.duplicate_line", line=line))
+    for target in targets:
+        if targets.count(target) > 1:
+            raise InvalidContentError(error("content.duplicate_target", target=target))

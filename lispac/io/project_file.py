@@ -59,6 +59,8 @@ BLOCK = 1 << 20
 OPENER = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
+Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
+"""Gives the indices of the sightings of a target, by its file, its name and their numbers."""
 
 
 def write_project(project: Project, *, expected: str | None = None) -> str:
@@ -261,7 +263,7 @@ def _read(path: Path) -> Project:
                 raise
 
 
-def _decoded(path: Path, text: bytes, points: "Points | None" = None) -> Project:
+def _decoded(path: Path, text: bytes, points: Points | None = None) -> Project:
     try:
         content = json_values(text)
         version = content["schema_version"]
@@ -351,7 +353,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
     }
 
 
-def _decode(folder: Path, content: dict[str, Any], points: "Points") -> Project:
+def _decode(folder: Path, content: dict[str, Any], points: Points) -> Project:
     return Project(
         folder=folder,
         trajectory=_absolute(content["trajectory"], folder),
@@ -412,7 +414,7 @@ def _decode_result(content: Any) -> AdjustmentResult:
     return result
 
 
-def _decode_target(folder: Path, content: dict[str, Any], points: "Points") -> Target:
+def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Target:
     name = decoded(content["name"], str)
     path = folder / decoded(content["indices"], str)
     sightings = tuple(
@@ -460,8 +462,6 @@ def _count(sighting: dict[str, Any]) -> int:
     return count
 
 
-Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
-"""Gives the indices of the sightings of a target, by its file, its name and their numbers."""
 INDEX_BYTES = 8
 ARRAY_HEADER = 4096
 """Bytes before the numbers of an array in a file of NumPy, at most."""
