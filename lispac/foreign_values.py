@@ -15,6 +15,23 @@ DEEPEST = 60
 """Tables and lists inside each other; a project has about ten."""
 LARGEST_INTEGER = 2**63
 """NumPy and the files of the program count with 64 bits."""
+LARGEST_QUANTITY = 1e30
+"""No quantity of a survey is larger, and squares of larger ones overflow sooner or later."""
+LEAST_AMOUNT, LARGEST_AMOUNT = 1e-12, 1e12
+"""Least and largest amount, other than zero, of what a user or a file of settings may give, in any
+unit. What lies beyond is an error of typing, and its square or inverse would soon overflow."""
+MOST_DIGITS = 19
+"""Digits of an integer of 64 bits; Python refuses to read thousands of them."""
+
+
+def is_possible_amount(value: float) -> bool:
+    """Whether a number is zero or lies between `LEAST_AMOUNT` and `LARGEST_AMOUNT`."""
+    return value == 0 or LEAST_AMOUNT <= abs(value) <= LARGEST_AMOUNT
+
+
+def is_count(text: str, most: int) -> bool:
+    """Whether a text is a whole number from 0 to ``most`` in decimal digits."""
+    return text.isdecimal() and len(text) <= MOST_DIGITS and int(text) <= most
 
 
 class Shape:

@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 
-from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.parameters import PRIOR_SIGMAS, SWITCHED, Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.robust import LOSSES, LossName
 from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
@@ -51,6 +51,8 @@ LIMITS: Mapping[str, tuple[float, float, Unit]] = {
 }  # fmt: skip
 """Least and largest amount of each setting other than zero, and its unit. What lies beyond is an
 error of typing, and would overflow in the adjustment."""
+LIMITS_OF_BEAM: tuple[tuple[float, float, Unit], ...] = ((1e-6, 100.0, "m"), (1e-9, 180.0, "deg"))
+"""The same of range and direction of a beam."""
 OUT_OF_RANGE: Mapping[Unit, str] = {
     "m": "settings.length_out_of_range", "deg": "settings.angle_out_of_range",
     "s": "settings.time_out_of_range",
@@ -152,6 +154,13 @@ class Settings:
                 for value in values:
                     if value and not least <= abs(value) <= most:
                         raise InputError(_out_of_range(name, value, least, most, unit))
+        for value, (least, most, unit) in zip(
+            self.lidar_beam_sigma or (), LIMITS_OF_BEAM, strict=False
+        ):
+            if value > 0 and not least <= value <= most:
+                raise InputError(
+                    _out_of_range("setting.lidar_beam_sigma", value, least, most, unit)
+                )
         if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
             raise InputError(error("settings.negative"))
         if self.pos_errors not in POS_ERRORS:
@@ -182,6 +191,7 @@ class Settings:
                 )
             if parameter.sigma is not None and not parameter.sigma > 0:
                 raise InputError(error("settings.zero_parameter_sigma", name=parameter.name))
+            require_prior_sigma(parameter)
         if len({parameter.name for parameter in self.parameters}) < len(self.parameters):
             raise InputError(error("settings.parameter_twice"))
         if np.abs(self.boresight_deg).max() > 360:
@@ -193,6 +203,18 @@ class Settings:
         if self.origin_deg_m is not None and abs(self.origin_deg_m[0]) > 90:
             latitude = float(np.radians(self.origin_deg_m[0]))
             raise InputError(error("settings.latitude_out_of_range", latitude=latitude))
+
+
+def require_prior_sigma(parameter: Parameter) -> None:
+    """Refuse a standard deviation that no prior value has.
+
+    Raises
+    ------
+    InputError
+    """
+    least, most = PRIOR_SIGMAS
+    if parameter.sigma is not None and not least <= parameter.sigma <= most:
+        raise InputError(error("settings.parameter_sigma_out_of_range", name=parameter.name))
 
 
 def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit) -> Message:

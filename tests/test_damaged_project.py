@@ -18,6 +18,7 @@ from lispac.io.project_file import (
     read_unsaved,
     write_project,
 )
+from lispac.io.values import encoded
 from lispac.messages import Message, error
 from tests.report_sample import sample_project
 
@@ -142,3 +143,72 @@ def test_what_is_kept_against_a_crash_and_says_the_same_is_nothing(folder: Path)
     unsaved = read_unsaved(folder)
     assert unsaved is not None
     assert [target.name for target in unsaved.targets] == ["T1"]
+
+
+def test_what_could_not_be_read_again_is_not_written(folder: Path) -> None:
+    project = read_project(folder)
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    first = project.targets[0]
+    for wrong in (
+        replace(first, threshold=1e31), replace(first, radius=1e31),
+        replace(first, threshold=1e-320),
+        replace(first, seed=(1e31, 0.0, 0.0)),
+        replace(first, sightings=(replace(first.sightings[0], rms=float("nan")),)),
+    ):  # fmt: skip
+        for write in (write_project, keep_unsaved):
+            with pytest.raises(ProjectError) as told:
+                write(replace(project, targets=(wrong,)))
+            assert told.value.code == "project.cannot_be_read_again"
+    twice = replace(project, targets=(first, replace(project.targets[1], name=first.name)))
+    with pytest.raises(ProjectError) as told:
+        write_project(twice)
+    assert told.value.code == "project.cannot_be_read_again"
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
+@pytest.mark.parametrize("kind", ["targets", "lines"])
+def test_two_of_one_name_are_refused(folder: Path, kind: str) -> None:
+    content = json.loads((folder / FILE_NAME).read_text())
+    content[kind][1]["name"] = content[kind][0]["name"]
+    (folder / FILE_NAME).write_text(json.dumps(content))
+    assert reason_of(refused(folder)).code == f"content.duplicate_{kind[:-1]}"
+
+
+@pytest.mark.parametrize(
+    ("place", "values"),
+    [
+        ("not_compared", [{"V1": 3}, ["V1"], "V1"]),
+        ("lines/0/columns", [[1, {}], "time"]),
+        ("targets/0/sightings/0/one_in", [0, -1, "7", 1e300, True]),
+        ("targets/0/sightings/0/by_hand", [1, "yes"]),
+        ("targets/0/sightings/0/rms", [-1.0, float("inf"), 1e30]),
+        ("targets/0/radius", [1e30, 1e-320]),
+        ("targets/0/threshold", [1e30, 1e-320]),
+        ("truth_deg", [[1e30, 0.0, 0.0], [float("inf"), 0.0, 0.0]]),
+        ("data_messages", [[{"code": "store.locked", "level": "warning", "params": [1]}], "x"]),
+        ("schema_version", [True, 8.0, 0]),
+    ],
+)  # fmt: skip
+def test_values_that_only_an_edit_can_have_brought_in(
+    folder: Path, place: str, values: list[object]
+) -> None:
+    sound = (folder / FILE_NAME).read_text()
+    *outer, last = place.split("/")
+    for value in values:
+        content = inner = json.loads(sound)
+        for name in outer:
+            inner = inner[int(name) if name.isdigit() else name]
+        inner[last] = value
+        (folder / FILE_NAME).write_text(json.dumps(content))
+        refused(folder)
+
+
+def test_messages_that_cannot_be_shown_are_not_read(folder: Path) -> None:
+    content = json.loads((folder / FILE_NAME).read_text())
+    sound = encoded(error("store.locked", folder="a"))
+    content["data_messages"] = [
+        sound, sound | {"code": "no.such"},
+        encoded(error("store.disk_full_size", folder="a", size="much")),
+    ]  # fmt: skip
+    (folder / FILE_NAME).write_text(json.dumps(content))
+    assert [each.code for each in read_project(folder).data_messages] == ["store.locked"]

@@ -3,18 +3,27 @@
 import json
 import os
 import sys
+from argparse import ArgumentTypeError
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from lispac.adjustment.parameters import Parameter
+from lispac.causes import Cause
 from lispac.cli.main import main
+from lispac.cli.values import finite, within
 from lispac.errors import InputError, LispacError, ProjectError
-from lispac.foreign_values import InvalidContentError, as_cell, json_values, toml_values
+from lispac.foreign_values import InvalidContentError, as_cell, is_count, json_values, toml_values
 from lispac.io.files import written_whole
+from lispac.io.formats import format_of
 from lispac.io.project_file import FILE_NAME, read_project
+from lispac.io.toml_table import Table
 from lispac.project import Project, Settings
+from lispac.survey.store.layout import read_manifest, write_manifest
+from lispac.workflow.importing import import_lines, line_folder
 from lispac.workflow.survey import load_survey
 
 
@@ -67,7 +76,9 @@ def test_a_message_stays_one_line_of_text() -> None:
     "given",
     [
         {"position_time": 1e-320}, {"attitude_time": 1e300}, {"subsample": 1e-300},
-        {"lidar_sigma": 1e5}, {"position_sigma": (1e5, 0.1, 0.1)}, {"longest_gap": 1e-12},
+        {"lidar_sigma": 1e5}, {"lidar_beam_sigma": (1e31, 1.0)},
+        {"lidar_beam_sigma": (0.01, 1e-320)},
+        {"position_sigma": (1e5, 0.1, 0.1)}, {"longest_gap": 1e-12},
     ],
 )  # fmt: skip
 def test_settings_beyond_what_is_possible_are_refused(given: dict[str, object]) -> None:
@@ -167,3 +178,70 @@ def test_files_that_look_like_unfinished_ones_stay(tmp_path: Path) -> None:
     with written_whole(tmp_path / "report.pdf") as temporary:
         temporary.write_text("report")
     assert mine.exists()
+
+
+@pytest.mark.parametrize("text", ["9" * 5000, "-1", "", "1.5", "1_0", str(2**63)])
+def test_counts_in_text_that_are_none(text: str) -> None:
+    assert not is_count(text, 1 << 48)
+    assert is_count("12", 1 << 48)
+
+
+@pytest.mark.parametrize("text", ["1e-320", "1e31", "-1e300", "inf", "nan"])
+def test_amounts_that_no_option_can_have(text: str) -> None:
+    for kind in (finite, within(1e-6, 100.0)):
+        with pytest.raises(ArgumentTypeError):
+            kind(text)
+
+
+@pytest.mark.parametrize("value", ["1e-320", "1e300", "-1e300"])
+def test_amounts_that_no_file_of_settings_can_have(tmp_path: Path, value: str) -> None:
+    path = tmp_path / "made.toml"
+    path.write_text(f"a = {value}\n")
+    with pytest.raises(InputError), Table.read(path, "scene") as table:
+        table.number("a")
+
+
+def test_prior_standard_deviations_beyond_what_is_possible_are_refused() -> None:
+    for sigma in (1e-320, 1e31):
+        with pytest.raises(InputError) as refused:
+            Settings(
+                (0.0, 0.0, 0.0), parameters=(Parameter("range_offset", sigma),)
+            ).require_sound()
+        assert refused.value.code == "settings.parameter_sigma_out_of_range"
+
+
+def test_a_ply_header_with_thousands_of_digits_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "a.ply"
+    digits = "9" * 5000
+    path.write_text(
+        f"ply\nformat ascii 1.0\nelement vertex {digits}\nproperty float x\nend_header\n"
+    )
+    with pytest.raises(InputError):
+        format_of("ply").look(path, {})
+
+
+def test_records_with_denormal_times_draw_no_conclusion(tmp_path: Path) -> None:
+    path = tmp_path / "a.sbet"
+    records = np.random.default_rng(0).uniform(-1.0, 1.0, (200, 17))
+    records[:, 0] = np.arange(200) * 5e-324
+    records.tofile(path)
+    try:
+        format_of("sbet").look(path, {})
+    except InputError:
+        return
+
+
+def test_stored_points_beyond_the_range_of_the_scanner_draw_a_warning(copy: Project) -> None:
+    import_lines(copy)
+    line = copy.lines[0]
+
+    def codes() -> list[str]:
+        messages = load_survey(copy).messages
+        return [m.code for m in messages if m.subject == Cause.of_line(line.name)]
+
+    assert "audit.beyond_range" not in codes()
+    folder = line_folder(copy, line)
+    manifest = read_manifest(folder)
+    assert manifest is not None
+    write_manifest(folder, replace(manifest, reach=17e3))
+    assert "audit.beyond_range" in codes()

@@ -1,9 +1,12 @@
 """Every reader before made and damaged files: only the program's own errors come out."""
 
 import json
+import re
 import shutil
 import warnings
+from argparse import Namespace
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from io import BytesIO
@@ -15,11 +18,14 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from lispac.cli.estimate import parameters_of
+from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.settings import AppSettings
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
 from lispac.io.mesh_file import MeshReader, read_mesh
 from lispac.io.plan_file import read_plan, read_site
+from lispac.io.points import usable_points
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.registry import Finding
 from lispac.io.scanner_file import read_scanner
@@ -67,12 +73,15 @@ def said_by(task: Callable[[], object]) -> str | None:
 
 
 def read_wholly(key: str, path: Path, choice: Any) -> None:
-    """Read a file to its end; what is given is made of numbers."""
+    """Read a file to its end; what is given is made of numbers.
+
+    Readers of points may leave those that are not numbers to the screening of a line.
+    """
     result = FORMATS[key].read(path, choice)
     if FORMATS[key].kind != "points":
         assert np.isfinite(result.time).all()  # type: ignore[union-attr]
         return
-    for chunk in result:  # type: ignore[union-attr]
+    for chunk in map(usable_points, result):  # type: ignore[arg-type]
         assert np.isfinite(chunk.xyz).all()
         assert np.isfinite(chunk.time).all()
 
@@ -103,9 +112,47 @@ def of_format(key: str) -> Subject:
             return None in refusals
 
         changed = [damaged(file.read_bytes()) for file in sound]
-        return [*changed, *changed, anything], attempt
+        extremes = [extreme(file.read_bytes()) for file in sound]
+        return [*changed, *extremes, *changed, anything], attempt
 
     return subject
+
+
+EXTREMES = [5e-324, 1e-320, -1e-320, 1e300, -1e308, 1e31, 2.0**63, np.nan, np.inf]
+
+
+def extreme(content: bytes) -> st.SearchStrategy[bytes]:
+    """The bytes of a file with long runs of digits in its text and extreme binary numbers."""
+    digits = [found.span() for found in re.finditer(rb"[0-9]+", content[:4096])] or [(0, 0)]
+    run = st.builds(
+        lambda at, length, digit: content[: at[0]] + digit * length + content[at[1] :],
+        st.sampled_from(digits),
+        st.sampled_from([20, 400, 5000]),
+        st.sampled_from([b"9", b"0", "\u0663".encode()]),
+    )
+
+    def with_numbers(first: int, step: int, value: float) -> bytes:
+        changed = bytearray(content)
+        for at in range(8 * first, len(changed) - 7, 8 * step):
+            changed[at : at + 8] = np.float64(value).tobytes()
+        return bytes(changed)
+
+    def with_slow_times(columns: int, step: float) -> bytes:
+        numbers = np.frombuffer(content[: len(content) // 8 * 8]).copy()
+        rows = numbers[: len(numbers) // columns * columns].reshape(-1, columns)
+        rows[:, 0] = np.arange(len(rows)) * step
+        return numbers.tobytes()
+
+    numbers = st.builds(
+        with_numbers,
+        st.integers(0, max(len(content) // 8, 1)),
+        st.sampled_from([1, 4, 10, 17, 1 << 30]),
+        st.sampled_from(EXTREMES),
+    )
+    times = st.builds(
+        with_slow_times, st.sampled_from([4, 10, 17]), st.sampled_from([5e-324, 1e-320, 1e300])
+    )
+    return st.one_of(run, numbers, times)
 
 
 ORDER = ["time", "latitude", "longitude", "height", "roll", "pitch", "heading"]
@@ -454,10 +501,60 @@ def meshes(folder: Path) -> tuple[Sources, Attempt]:
         path.write_bytes(content)
         return said_by(lambda: read_mesh(path, "m", 0.4, reader=reader)) is None
 
-    return [*(damaged(source) for source in sources), count, faces, anything], attempt
+    runs = [extreme(source) for source in sources]
+    return [*(damaged(source) for source in sources), *runs, count, faces, anything], attempt
+
+
+def option_values(folder: Path) -> tuple[Sources, Attempt]:
+    """Options of the command line with extreme numbers, which a project then keeps."""
+    project = sample_project(folder / "p")
+    write_project(project)
+    value = st.sampled_from([repr(each) for each in EXTREMES]) | st.floats().map(repr)
+    options = {
+        "pick": ("--threshold", "--radius", "--max-tilt", "--stop", "--sphere-radius"),
+        "estimate": (
+            "--estimate=range-offset=", "--estimate=latency=", "--lidar-sigma", "--subsample",
+            "--latency", "--range-offset", "--position-time", "--surface",
+        ),
+    }  # fmt: skip
+    words = st.one_of(
+        *(
+            st.tuples(st.just(command), st.sampled_from(names), value)
+            for command, names in options.items()
+        )
+    )
+
+    def attempt(content: bytes) -> bool:
+        command, option, number = json.loads(content)
+        given = [f"{option}{number}"] if option.endswith("=") else [f"{option}={number}"]
+        place = ["--seed", "0", "0", "0", "--name", "T1"] if command == "pick" else []
+        with suppress(SystemExit):
+            arguments = build_parser().parse_args([command, str(project.folder), *place, *given])
+            return said_by(lambda: keep(arguments)) is None
+        return False
+
+    def keep(arguments: Namespace) -> None:
+        changed = project
+        if arguments.command == "pick":
+            target = project.targets[0]
+            changed = replace(project, targets=(
+                replace(
+                    target,
+                    threshold=arguments.threshold or target.threshold,
+                    radius=arguments.radius or target.radius,
+                ),
+            ))  # fmt: skip
+        else:
+            parameters = parameters_of(arguments.estimate) or ()
+            changed = project.with_settings(replace(project.settings, parameters=parameters))
+        write_project(changed)
+        read_project(project.folder)
+
+    return [words.map(lambda each: json.dumps(each).encode())], attempt
 
 
 SUBJECTS: dict[str, Subject] = {
+    "option values": option_values,
     "meshes": meshes,
     "scenes": toml("resources/scenes/*.toml", read_scene),
     "plans": toml("tests/data/*plan*.toml", read_plan),

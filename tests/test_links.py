@@ -15,6 +15,7 @@ from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
 from lispac.workflow.demo import MARKER, make_demo
 from lispac.workflow.importing import LINES, import_lines, line_folder
+from lispac.workflow.saving_as import MARK, save_project_as
 from lispac.workflow.survey import Survey, load_survey
 from tests.error_codes import has_code
 
@@ -149,3 +150,92 @@ def test_a_lock_file_that_is_none_is_named(project: Project, tmp_path: Path, kin
     with pytest.raises(InputError, check=has_code("lock.not_a_file")):
         write_project(project)
     assert not (tmp_path / "elsewhere").exists()
+
+
+def test_a_manifest_is_not_written_through_a_link(project: Project, tmp_path: Path) -> None:
+    import_lines(project)
+    store = line_folder(project, project.lines[0])
+    victim = tmp_path / "victim"
+    victim.write_text("precious")
+    (store / "store.json.part").symlink_to(victim)
+    for path in (store / "columns-1").iterdir():
+        os.utime(path, (1e9, 1e9))
+    load_survey(project)
+    import_lines(project, again=True)
+    assert victim.read_text() == "precious"
+    assert not victim.is_symlink()
+
+
+def test_no_columns_are_written_or_removed_behind_a_link(project: Project, tmp_path: Path) -> None:
+    store = line_folder(project, project.lines[0])
+    elsewhere = tmp_path / "elsewhere"
+    store.mkdir(parents=True)
+    before = linked(store / "columns-1", elsewhere)
+    (elsewhere / "xyz.npy").write_bytes(b"mine")
+    with pytest.raises(ProjectError, check=has_code("store.link")):
+        import_lines(project)
+    assert contents(elsewhere) == before | {"xyz.npy": b"mine"}
+
+
+def test_an_import_leaves_files_of_the_user_among_columns(project: Project) -> None:
+    folder = line_folder(project, project.lines[0]) / "columns-1"
+    folder.mkdir(parents=True)
+    for name in ("mine.npy", "notes.txt"):
+        (folder / name).write_bytes(b"mine")
+    import_lines(project)
+    assert contents(folder) == {"mine.npy": b"mine", "notes.txt": b"mine"}
+    assert len(load_survey(project).scans["one"]) > 0
+
+
+def test_a_file_beside_columns_is_named_as_one_of_them(project: Project) -> None:
+    store = line_folder(project, project.lines[0])
+    store.mkdir(parents=True)
+    (store / "columns-1").write_bytes(b"mine")
+    import_lines(project)
+    assert (store / "columns-1").read_bytes() == b"mine"
+
+
+def test_a_failed_save_removes_only_what_the_program_wrote(
+    project: Project, tmp_path: Path
+) -> None:
+    store = tmp_path / "copy" / LINES / "old"
+    for name in ("columns-backup", "columns-3"):
+        (store / name).mkdir(parents=True)
+        (store / name / "mine.npy").write_bytes(b"mine")
+    (store / "columns-3" / "xyz.npy").write_bytes(b"of a save that was killed")
+    (store / MARK).touch()
+    import_lines(project)
+    save_project_as(project, load_survey(project), tmp_path / "copy")
+    assert contents(store) == {"columns-backup/mine.npy": b"mine", "columns-3/mine.npy": b"mine"}
+
+
+def test_no_line_is_copied_behind_a_link(project: Project, tmp_path: Path) -> None:
+    import_lines(project)
+    survey = load_survey(project)
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "copy" / LINES).mkdir(parents=True)
+    there = tmp_path / "copy" / LINES / line_folder(project, project.lines[0]).name
+    there.symlink_to(tmp_path / "elsewhere", target_is_directory=True)
+    with pytest.raises(ProjectError, check=has_code("store.link")):
+        save_project_as(project, survey, tmp_path / "copy")
+    assert not contents(tmp_path / "elsewhere")
+    assert not (tmp_path / "copy" / "project.json").exists()
+
+
+def test_a_new_demo_leaves_the_files_of_the_user(tmp_path: Path) -> None:
+    folder = tmp_path / "demo"
+    make_demo(folder, points_per_second=1000.0)
+    mine = {
+        f"{place}/{name}": b"mine"
+        for place in ("raw", "truth", "sightings")
+        for name in ("mine.laz", "mine.npz", "notes/mine.txt")
+    }
+    for name, content in mine.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content)
+    before = contents(folder)
+    make_demo(folder, points_per_second=1000.0)
+    after = contents(folder)
+    assert {name: after.get(name) for name in mine} == mine
+    assert after.keys() == before.keys()
+    assert read_project(folder).lines

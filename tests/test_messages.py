@@ -155,7 +155,7 @@ def test_an_error_shows_its_message_in_the_language_in_use() -> None:
 
 def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
     message = Message(
-        "audit.example",
+        "settings.parameter_twice",
         Level.WARNING,
         {"step": 0.01, "count": 3, "lines": ("L1", "L2"), "name": "L1"},
         Cause.of_line("L1"),

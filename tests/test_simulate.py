@@ -346,3 +346,24 @@ def test_a_simulation_that_cannot_be_written_leaves_the_earlier_one(
     killed.mkdir()
     done(capsys, *words, tmp_path / "survey", "--seed", 7)
     assert not killed.exists()
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("position_m = [0.012, 0.012, 0.020]", "position_m = [1e7, 1e7, 1e7]"),
+        ("position_m = [0.4, 0.4, 0.2]", "position_m = [1e308, 1, 1]"),
+        ("attitude_deg = [0.008, 0.008, 0.012]", "attitude_deg = [1e200, 1, 1]"),
+        ("duration_s = 60", "duration_s = 1e308"), ("duration_s = 60", "duration_s = 1e-320"),
+        ("position_s = 300", "position_s = 1e308"), ("start_s = 100", "start_s = 1e308"),
+    ],
+)  # fmt: skip
+def test_vessels_with_impossible_pos_errors_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str
+) -> None:
+    sound = resource("vessels/launch-outage.toml").read_text(encoding="utf-8")
+    assert old in sound
+    vessel = tmp_path / "vessel.toml"
+    vessel.write_text(sound.replace(old, new, 1), encoding="utf-8")
+    refused(capsys, "simulate", "port", "--vessel", vessel, "--output", tmp_path / "survey")
+    assert not (tmp_path / "survey").exists()

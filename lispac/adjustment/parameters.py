@@ -20,6 +20,9 @@ than this is not determined by it: a tape measure, or a look at the mounting, kn
 SIGNIFICANT = 1.96
 """Standard deviations that a change by chance exceeds one time in twenty, up or down."""
 
+PRIOR_SIGMAS = (1e-9, 1e3)
+"""Least and largest standard deviation of a prior value, radians, metres or seconds."""
+
 
 @dataclass(frozen=True)
 class Parameter:

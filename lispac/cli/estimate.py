@@ -38,7 +38,7 @@ from lispac.io.plane_file import read_plane_files
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import part
-from lispac.project import Project, Settings
+from lispac.project import Project, Settings, require_prior_sigma
 from lispac.survey.conventions.words import boresight_words
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, projects
@@ -133,9 +133,12 @@ def parameters_of(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
             choices = ", ".join(each.replace("_", "-") for each in SWITCHED)
             raise UsageError(f"estimate: there is no parameter {name}; give one of {choices}.")
         try:
-            found.append(Parameter(name, float(sigma) / STATED[name][0] if sigma else None))
+            parameter = Parameter(name, float(sigma) / STATED[name][0] if sigma else None)
         except ValueError:
             raise UsageError(f"estimate: {sigma!r} in {text} is not a number.") from None
+        if parameter.sigma is None or parameter.sigma > 0:
+            require_prior_sigma(parameter)
+        found.append(parameter)
     return tuple(found)
 
 

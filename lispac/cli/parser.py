@@ -19,6 +19,7 @@ from lispac.cli import (
 from lispac.cli.values import (
     Commands,
     command,
+    finite,
     json_option,
     named_value,
     not_negative,
@@ -126,7 +127,7 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
             help=f"what the files do not say of {what}; `lispac look FILE` lists the options",
         )  # fmt: skip
     new.add_argument(
-        "--time-shift", type=float, default=0.0, metavar="SECONDS",
+        "--time-shift", type=finite, default=0.0, metavar="SECONDS",
         help="added to the times of the lines to bring them into the trajectory's",
     )  # fmt: skip
     new.add_argument(
@@ -190,7 +191,7 @@ def _subsample(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     subsample.add_argument("project", type=Path, metavar="PROJECT")
     subsample.add_argument(
-        "--distances", type=float, nargs="+", metavar="M",
+        "--distances", type=finite, nargs="+", metavar="M",
         help="between points that take part, 0 for all of them (default 0 0.05 0.1 0.15 0.2)",
     )  # fmt: skip
     json_option(subsample)
@@ -209,7 +210,7 @@ def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="points of the plane or quadric (default 6, 12 for a quadric)",
     )  # fmt: skip
     validate.add_argument(
-        "--radius", type=float, metavar="M", help="all points within this radius instead"
+        "--radius", type=finite, metavar="M", help="all points within this radius instead"
     )
     json_option(validate)
 

@@ -12,7 +12,9 @@ from lispac.cli.values import (
     system_options,
     triple,
     whole,
+    within,
 )
+from lispac.targets.settings import RADII, THRESHOLDS
 
 
 def add(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -55,12 +57,12 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     pick.add_argument("--line", help="with --seed: seek in this line only")
     pick.add_argument(
         "--threshold",
-        type=positive,
+        type=within(*THRESHOLDS),
         metavar="METRES",
         help="RANSAC distance threshold (default 0.01, or 3 LiDAR sigma where larger; for spheres "
         "at least 0.03, or 0.3 of a known radius where that is smaller)",
     )
-    pick.add_argument("--radius", type=positive, metavar="METRES", help="search radius")
+    pick.add_argument("--radius", type=within(*RADII), metavar="METRES", help="search radius")
     pick.add_argument(
         "--min-points", type=whole(3), metavar="N", default=30,
         help="fewest points of a plane or sphere in a line (default 30)",

@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
 
+from lispac.foreign_values import LARGEST_AMOUNT, LEAST_AMOUNT, is_possible_amount
+
 Commands = argparse._SubParsersAction  # the type argparse gives no public name
 
 
@@ -108,6 +110,15 @@ def finite(text: str) -> float:
     ArgumentTypeError
         Where it is none.
     """
+    value = _number(text)
+    if not is_possible_amount(value):
+        raise argparse.ArgumentTypeError(
+            f"{text} is outside the possible range, {LEAST_AMOUNT:g} to {LARGEST_AMOUNT:g}"
+        )
+    return value
+
+
+def _number(text: str) -> float:
     try:
         value = float(text)
     except ValueError as error:
@@ -129,6 +140,20 @@ def positive(text: str) -> float:
     if not value > 0:
         raise argparse.ArgumentTypeError(f"{text} is not larger than zero")
     return value
+
+
+def within(least: float, most: float) -> Callable[[str], float]:
+    """A number from ``least`` to ``most``."""
+
+    def number(text: str) -> float:
+        value = _number(text)
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(
+                f"{text} is outside the possible range, {least:g} to {most:,.0f}"
+            )
+        return value
+
+    return number
 
 
 def whole(least: int) -> Callable[[str], int]:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.foreign_values import is_count
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding
 from lispac.io.text_export import written_options
 from lispac.io.text_table import (
@@ -85,6 +86,7 @@ _LENGTHS = {
 POSITION_CHOICES = (*_ANGLES, HEADER)
 ATTITUDE_CHOICES = ("degrees", "radians", HEADER)
 LENGTH_CHOICES = (*_LENGTHS, HEADER)
+MOST_HEADER_ROWS = 10**9
 _COMMENT = ("#", "%", "//", ";")
 
 
@@ -159,7 +161,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
     InputError
         Where ``header`` is neither ``auto`` nor a number.
     """
-    if header != "auto" and not header.isdecimal():
+    if header != "auto" and not is_count(header, MOST_HEADER_ROWS):
         raise InputError(error("trajectory.header_rows", file=str(path), value=header))
     skipped = int(header) if header != "auto" else 0
     started = header != "auto"

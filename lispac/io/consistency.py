@@ -2,9 +2,13 @@
 
 import numpy as np
 
-from lispac.foreign_values import InvalidContentError
+from lispac.foreign_values import LARGEST_INTEGER, InvalidContentError
 from lispac.messages import error
 from lispac.project import ROLES, SHAPES, Project, require_target
+from lispac.targets.settings import is_possible_search
+
+FARTHEST, LARGEST_RMS, FULL_TURN = 1e8, 1e6, 360.0
+"""Metres from the origin of a local frame, metres of a sighting about its plane, degrees."""
 
 
 def require_consistent(project: Project) -> None:
@@ -17,6 +21,9 @@ def require_consistent(project: Project) -> None:
     project.settings.require_sound()
     project.identity.require_sound()
     lines = {line.name for line in project.lines}
+    require_single_names(project)
+    if project.truth_deg is not None and not np.abs(project.truth_deg).max() <= FULL_TURN:
+        raise InvalidContentError(error("content.invalid_truth"))
     for target in project.targets:
         if target.role not in ROLES:
             raise InvalidContentError(
@@ -27,13 +34,34 @@ def require_consistent(project: Project) -> None:
                 error("content.unknown_shape", target=target.name, shape=str(target.shape))
             )
         require_target(target)
-        if not (np.isfinite(target.seed).all() and target.threshold > 0 and target.radius > 0):
+        is_near = np.abs(target.seed).max() <= FARTHEST
+        if not (is_near and is_possible_search(target.threshold, target.radius)):
             raise InvalidContentError(error("content.invalid_search", target=target.name))
         for sighting in target.sightings:
             if sighting.line not in lines:
                 raise InvalidContentError(
                     error("content.unknown_line", target=target.name, line=sighting.line)
                 )
+            if not (0 <= sighting.rms <= LARGEST_RMS and 1 <= sighting.one_in < LARGEST_INTEGER):
+                raise InvalidContentError(
+                    error("content.invalid_sighting", target=target.name, line=sighting.line)
+                )
     for opinion in project.opinions:
         if not opinion.is_sound():
             raise InvalidContentError(error("content.invalid_angles", method=opinion.method))
+
+
+def require_single_names(project: Project) -> None:
+    """Refuse two targets or two lines of one name.
+
+    Raises
+    ------
+    InvalidContentError
+    """
+    lines, targets = ([each.name for each in some] for some in (project.lines, project.targets))
+    for line in lines:
+        if lines.count(line) > 1:
+            raise InvalidContentError(error("content.duplicate_line", line=line))
+    for target in targets:
+        if targets.count(target) > 1:
+            raise InvalidContentError(error("content.duplicate_target", target=target))

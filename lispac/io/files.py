@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, LispacError
+from lispac.foreign_values import LARGEST_QUANTITY
 from lispac.io.packed import require_unpacked
 from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
@@ -157,6 +158,10 @@ def read_records(
         raise InputError(
             error("file.record_not_finite", file=str(path), kind=kind, record=first, count=count)
         )
+    huge = (np.abs(records) > LARGEST_QUANTITY).any(axis=1)
+    if huge.any():
+        first = int(np.argmax(huge)) + 1
+        raise InputError(error("file.record_too_large", file=str(path), kind=kind, record=first))
     return records.astype(np.float64, copy=False)
 
 

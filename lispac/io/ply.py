@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import InputError
+from lispac.foreign_values import is_count
 from lispac.io.points import (
     CHUNK,
     HEAD,
@@ -125,7 +126,7 @@ def _size(elements: list[Element], order: str) -> int | None:
 
 
 def _count(path: Path, text: str) -> int:
-    if not text.isdecimal() or int(text) > 1 << 48:
+    if not is_count(text, 1 << 48):
         raise InputError(error("ply.count", file=str(path), text=text[:20]))
     return int(text)
 

@@ -15,7 +15,7 @@ import re
 import tokenize
 import zipfile
 import zlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from io import BytesIO
@@ -29,12 +29,13 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
 from lispac.errors import InputError, ProjectChanged, ProjectError
 from lispac.foreign_values import InvalidContentError, json_values
 from lispac.identity import Identity
-from lispac.io.consistency import require_consistent
+from lispac.io.consistency import require_consistent, require_single_names
 from lispac.io.files import not_written, remove_abandoned, remove_empty, written_whole
 from lispac.io.project_lock import FILE_NAME as FILE_NAME
 from lispac.io.project_lock import digest_of, project_lock
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
 from lispac.io.values import decoded, encoded, in_one_line
+from lispac.message_texts import has_text
 from lispac.messages import Message, error
 from lispac.opinions import Opinion
 from lispac.project import (
@@ -58,6 +59,8 @@ BLOCK = 1 << 20
 OPENER = "project.lispac"
 OPENER_ENDING = ".lispac"
 OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
+Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
+"""Gives the indices of the sightings of a target, by its file, its name and their numbers."""
 
 
 def write_project(project: Project, *, expected: str | None = None) -> str:
@@ -139,11 +142,37 @@ def is_project_file(path: Path) -> bool:
 
 def _write(project: Project, name: str) -> set[str]:
     """Write a state, and give the files its points are in."""
-    files = {target.name: _write_indices(project.folder, target) for target in project.targets}
-    content = _encode(project, files)
+    files = {target.name: _indices_file(target) for target in project.targets}
+    text = json.dumps(_encode(project, files), indent=1) + "\n"
+    _require_readable(project, text)
+    for target in project.targets:
+        _write_indices(project.folder, target)
     with written_whole(project.folder / name) as temporary:
-        temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+        temporary.write_text(text, encoding="utf-8")
     return set(files.values())
+
+
+def _require_readable(project: Project, text: str) -> None:
+    """Refuse to write what `read_project` would refuse.
+
+    Raises
+    ------
+    ProjectError
+    """
+    points = {target.name: [s.indices for s in target.sightings] for target in project.targets}
+    try:
+        require_single_names(project)
+        _decoded(
+            project.folder / FILE_NAME,
+            text.encode("utf-8"),
+            lambda path, name, counts: points[name],
+        )
+    except (ProjectError, InvalidContentError) as failure:
+        reason: Message | str = failure.reason
+        if isinstance(failure, ProjectError) and failure.message is not None:
+            inner = failure.message.params.get("reason")
+            reason = inner if isinstance(inner, Message) else failure.message
+        raise ProjectError(error("project.cannot_be_read_again", reason=reason)) from failure
 
 
 def keep_unsaved(project: Project) -> None:
@@ -234,7 +263,7 @@ def _read(path: Path) -> Project:
                 raise
 
 
-def _decoded(path: Path, text: bytes) -> Project:
+def _decoded(path: Path, text: bytes, points: Points | None = None) -> Project:
     try:
         content = json_values(text)
         version = content["schema_version"]
@@ -242,7 +271,7 @@ def _decoded(path: Path, text: bytes) -> Project:
             raise InvalidContentError(error("content.invalid_version", version=repr(version)[:40]))
         if version > SCHEMA_VERSION:
             raise ProjectError(error("project.newer_version", file=str(path), version=version))
-        project = _decode(path.parent.resolve(), upgraded(content))
+        project = _decode(path.parent.resolve(), upgraded(content), points or _read_indices)
         require_consistent(project)
     except InputError as failure:
         raise ProjectError(
@@ -324,7 +353,7 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
     }
 
 
-def _decode(folder: Path, content: dict[str, Any]) -> Project:
+def _decode(folder: Path, content: dict[str, Any], points: Points) -> Project:
     return Project(
         folder=folder,
         trajectory=_absolute(content["trajectory"], folder),
@@ -333,14 +362,14 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
             LineSource(
                 decoded(line["name"], str),
                 _absolute(decoded(line["path"], str), folder),
-                tuple(line["columns"]),
+                decoded(line["columns"], tuple[str, ...]),
                 decoded(line["reading"], Reading),
             )
             for line in content["lines"]
         ),
         settings=decoded(content["settings"], Settings),
         identity=decoded(content["identity"], Identity),
-        targets=tuple(_decode_target(folder, target) for target in content["targets"]),
+        targets=tuple(_decode_target(folder, target, points) for target in content["targets"]),
         result=_decode_result(content["result"]) if content["result"] else None,
         cross_checks=(
             decoded(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
@@ -354,7 +383,11 @@ def _decode(folder: Path, content: dict[str, Any]) -> Project:
         if (absolute := content.get("absolute"))
         else None,
         opinions=tuple(decoded(each, Opinion) for each in content["opinions"]),
-        data_messages=tuple(decoded(each, Message) for each in content.get("data_messages", ())),
+        data_messages=tuple(
+            message
+            for each in decoded(content.get("data_messages", []), list[dict[str, Any]])
+            if has_text(message := decoded(each, Message))  # of another version: found again
+        ),
     )
 
 
@@ -381,11 +414,9 @@ def _decode_result(content: Any) -> AdjustmentResult:
     return result
 
 
-def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
+def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Target:
     name = decoded(content["name"], str)
     path = folder / decoded(content["indices"], str)
-    if not path.is_file():
-        raise ProjectError(error("project.points_missing", file=str(path), target=name))
     sightings = tuple(
         PickedSighting(
             decoded(item["line"], str),
@@ -393,12 +424,12 @@ def _decode_target(folder: Path, content: dict[str, Any]) -> Target:
             decoded(item["rms"], float),
             decoded(item["used"], bool),
             decoded(item["fingerprint"], str),
-            int(item.get("one_in", 1)),
-            bool(item.get("by_hand", False)),
+            decoded(item.get("one_in", 1), int),
+            decoded(item.get("by_hand", False), bool),
         )
         for item, indices in zip(
             content["sightings"],
-            _read_indices(path, name, [_count(s) for s in content["sightings"]]),
+            points(path, name, [_count(s) for s in content["sightings"]]),
             strict=True,
         )
     )
@@ -448,6 +479,8 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
     ------
     ProjectError
     """  # noqa: DOC501 - its own InvalidContentError is caught
+    if not path.is_file():
+        raise ProjectError(error("project.points_missing", file=str(path), target=target))
     try:
         # Opened here: numpy leaves a file open where it cannot make sense of it.
         with path.open("rb") as file, np.load(file) as arrays:
@@ -479,19 +512,23 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
     return found
 
 
-def _write_indices(folder: Path, target: Target) -> str:
+def _indices_file(target: Target) -> str:
+    """Name of the file of the points of a target, in the folder of the project."""
+    plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
+    return f"{SIGHTINGS}/{plain}-{_digest(s.indices for s in target.sightings)}.npz"
+
+
+def _write_indices(folder: Path, target: Target) -> None:
     arrays: dict[str, NDArray[Any]] = {
         f"line{k}": sighting.indices for k, sighting in enumerate(target.sightings)
     }
-    plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
-    name = f"{SIGHTINGS}/{plain}-{_digest(arrays.values())}.npz"
+    name = _indices_file(target)
     require_no_link(folder / SIGHTINGS)
     if not (folder / name).exists():
         buffer = BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
         with written_whole(folder / name) as temporary:
             temporary.write_bytes(buffer.getvalue())
-    return name
 
 
 def _digest(arrays: Iterable[NDArray[Any]]) -> str:
@@ -518,6 +555,13 @@ def _remove_unused(folder: Path, used: set[str]) -> None:
     for path in (folder / SIGHTINGS).glob("*.npz"):
         if f"{SIGHTINGS}/{path.name}" not in used and _is_own(path):
             path.unlink(missing_ok=True)
+
+
+def remove_points(folder: Path) -> None:
+    """Remove all files of points of a project that is replaced; those of the user stay."""
+    _remove_unused(folder, set())
+    if not is_link(folder / SIGHTINGS):
+        remove_empty([folder / SIGHTINGS])
 
 
 def _is_own(path: Path) -> bool:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.foreign_values import is_count
 from lispac.io.points import CHUNK
 from lispac.io.text_layout import REMARKS
 from lispac.io.text_table import columns_of, is_number, lines_of, number
@@ -108,7 +109,7 @@ def _is_point_of_pts(text: str) -> bool:
     fields = text.split()
     if not _is_point(text) or len(fields) not in (3, 7):
         return False
-    return all(field.isdecimal() and int(field) <= 255 for field in fields[4:])
+    return all(is_count(field, 255) for field in fields[4:])
 
 
 def _is_point(text: str) -> bool:

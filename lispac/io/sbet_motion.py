@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.io.sbet import AXES, SbetOptions, in_frame
-from lispac.io.trajectory_facts import MOVING, Motion, wrapped
+from lispac.io.trajectory_facts import MOVING, SHORTEST_STEP, Motion, wrapped
 from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
@@ -204,7 +204,7 @@ def _agreement(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
     for block in blocks:
         time = block[:, 0]
         steps = np.diff(time)
-        if len(time) < 3 or (steps <= 0).any() or (steps > 1).any():
+        if len(time) < 3 or (steps < SHORTEST_STEP).any() or (steps > 1).any():
             continue
         reach = max(1, round(0.5 / float(np.median(steps))))
         values = np.unwrap(block[:, angle])

@@ -8,7 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import InputError
-from lispac.foreign_values import InvalidContentError, toml_values
+from lispac.foreign_values import (
+    LARGEST_AMOUNT,
+    LEAST_AMOUNT,
+    InvalidContentError,
+    is_possible_amount,
+    toml_values,
+)
 from lispac.io.files import require_file
 from lispac.messages import Level, Message, Value, error
 
@@ -102,10 +108,11 @@ class Table:
         return tuple(self._sound(key, each, least, most, -math.inf) for each in value)
 
     def three(
-        self, key: str, default: Any = NOTHING, *, least: float = -math.inf
-    ) -> tuple[float, float, float]:
+        self, key: str, default: Any = NOTHING, *, least: float = -math.inf,
+        most: float = math.inf,
+    ) -> tuple[float, float, float]:  # fmt: skip
         """Three numbers."""
-        values = self.numbers(key, 3, default, least=least)
+        values = self.numbers(key, 3, default, least=least, most=most)
         return values[0], values[1], values[2]
 
     @contextmanager
@@ -175,6 +182,13 @@ class Table:
             raise self.refuse(key, "toml.not_above", value=f"{value:g}", bound=f"{over:g}")
         if value > most:
             raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{most:g}")
+        if not is_possible_amount(value):
+            bound = f"{math.copysign(LARGEST_AMOUNT, value):g}"
+            if abs(value) < LEAST_AMOUNT:
+                raise self.refuse(key, "toml.too_near_zero", value=f"{value:g}")
+            if value > 0:
+                raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=bound)
+            raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=bound)
         return float(value)
 
 

@@ -17,6 +17,8 @@ from lispac.survey.trajectory import LONGEST_GAP
 
 Array = NDArray[np.float64]
 
+SHORTEST_STEP = 1e-6
+"""Seconds: no system measures more often; shorter steps are times without meaning."""
 MOVING = 0.3
 """Metres a second from which a course over ground means something."""
 
@@ -121,7 +123,7 @@ def facts_of(
         "Duration": duration_words(float(time[-1] - time[0])),
     }
     steps = np.diff(time)
-    steps = steps[(steps > 0) & (steps <= LONGEST_GAP)]
+    steps = steps[(steps >= SHORTEST_STEP) & (steps <= LONGEST_GAP)]
     if len(steps):
         facts["Rate"] = f"{len(steps) / steps.sum():.4g} per second"
     facts["Latitude"] = f"{np.degrees(latitude.min()):.6f} to {np.degrees(latitude.max()):.6f} deg"

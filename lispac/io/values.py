@@ -9,14 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import LispacError
-from lispac.foreign_values import InvalidContentError, Shape
+from lispac.foreign_values import LARGEST_QUANTITY, InvalidContentError, Shape
 from lispac.messages import Message, error
 from lispac.messages import Value as MessageValue
 
 Value = TypeVar("Value")
-
-LARGEST_NUMBER = 1e30
-"""No quantity of a survey is larger, and squares of larger ones overflow sooner or later."""
 
 
 @cache
@@ -52,7 +49,7 @@ def _integer(value: Any, _: Any) -> int:
 def _number(value: Any, _: Any) -> float:
     if type(value) not in (int, float) or value != value:
         raise InvalidContentError(error("content.not_number"))
-    if LARGEST_NUMBER < abs(value) < inf:
+    if LARGEST_QUANTITY < abs(value) < inf:
         raise InvalidContentError(error("content.quantity_too_large"))
     return float(value)
 
@@ -116,7 +113,7 @@ def _array(value: Any, kind: Any) -> NDArray[Any]:
         array = np.array(value, dtype=dtype)
     except (TypeError, ValueError, OverflowError) as failure:
         raise InvalidContentError(error("content.not_numbers")) from failure
-    if array.dtype.kind == "f" and (np.abs(array[np.isfinite(array)]) > LARGEST_NUMBER).any():
+    if array.dtype.kind == "f" and (np.abs(array[np.isfinite(array)]) > LARGEST_QUANTITY).any():
         raise InvalidContentError(error("content.quantity_too_large"))
     return array
 

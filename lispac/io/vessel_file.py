@@ -20,6 +20,8 @@ from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.vessel import LAUNCH, Handling
 from lispac.survey.georeferencing import Mounting
 
+LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST = 1e3, 10.0, 1e9
+"""Largest errors of a POS, metres and degrees, and longest time about them, seconds."""
 KINDS = ("gauss-markov", "white", "outage", "jumps")
 
 
@@ -157,20 +159,21 @@ def _handling(table: Table) -> Handling:
 
 def _pos(table: Table) -> PosErrors:
     kind = table.choice("kind", KINDS)
-    position = table.three("position_m", least=0)
-    roll, pitch, heading = np.radians(table.three("attitude_deg", least=0))
+    position = table.three("position_m", least=0, most=LARGEST_POSITION)
+    roll, pitch, heading = np.radians(table.three("attitude_deg", least=0, most=LARGEST_ATTITUDE))
     attitude = (float(roll), float(pitch), float(heading))
     if kind == "gauss-markov":
         return PosErrorModel(
-            position, attitude, table.number("position_s", over=0),
-            table.number("attitude_s", over=0),
+            position, attitude, table.number("position_s", over=0, most=LONGEST),
+            table.number("attitude_s", over=0, most=LONGEST),
         )  # fmt: skip
     if kind == "white":
         return WhiteNoise(position, attitude)
     if kind == "outage":
         return GnssOutage(
-            table.number("start_s", least=0), table.number("duration_s", over=0), position,
-            attitude, table.flag("smoothed", True),
+            table.number("start_s", least=0, most=LONGEST),
+            table.number("duration_s", over=0, most=LONGEST), position, attitude,
+            table.flag("smoothed", True),
         )  # fmt: skip
     at = table.numbers("at_s", None, (), least=0)
     return Jumps(position, attitude, at, table.number("per_hour", 0.0, least=0))

@@ -121,6 +121,15 @@ def note_text(note: str | Message) -> str:
     return note if isinstance(note, str) else message_text(note)
 
 
+def has_text(message: Message) -> bool:
+    """Whether a message read from a file has a known code and parameters that fit its text."""
+    try:
+        message_text(message)
+        return all(action.code in ACTIONS and action_text(action) for action in message.actions)
+    except (KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError):
+        return False
+
+
 def action_text(action: Action) -> str:
     """Label of an action in the language in use, as on a button."""
     return _one_line(text_of(ACTIONS[action.code], _rendered(action.params)))

@@ -53,6 +53,11 @@ TEXTS: Mapping[str, Template] = {
         "{line}: {count:n} points ({share:percent.2} %) do not meet the conditions given for the "
         "line. They are excluded."
     ),
+    "audit.beyond_range": N_(
+        "{line}: the imported points reach {distance:km.1} km from the scanner, farther than its "
+        "largest range of {limit:km.1} km. Results from these points are wrong. Check the file of "
+        "the line, then import the line again."
+    ),
     "audit.not_checked": N_(
         "{line} was imported by an earlier version, which did not check its points. "
         "Import the line again."

@@ -68,6 +68,10 @@ TEXTS: Mapping[str, Template] = {
         "bytes (the last one has {rest:n}). The file is cut short or not {kind}. Copy or export "
         "it again."
     ),
+    "file.record_too_large": N_(
+        "{file}: {kind} record {record:n} contains a number larger than any quantity of a survey. "
+        "Export the file again."
+    ),
     "file.record_not_finite": Plural(
         "{file}: {kind} record {record:n} contains NaN or infinity (1 such record). Export the "
         "file again.",

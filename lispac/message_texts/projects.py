@@ -72,6 +72,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- settings ------------------------------------------------------------------------------
     "settings.not_finite": N_("{setting}: the value is not a finite number. Correct it."),
+    "settings.parameter_sigma_out_of_range": N_(
+        "The standard deviation of the prior value of {name} is too small or too large for any "
+        "survey. Correct the value."
+    ),
+    "project.cannot_be_read_again": N_(
+        "The project was not saved, because it could not be opened again: {reason} Undo the last "
+        "change, or correct the value."
+    ),
     "settings.length_out_of_range": N_(
         "{setting}: {value:m} m is outside the possible range, {least:m} to {most:m} m. Correct "
         "the value."

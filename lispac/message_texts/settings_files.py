@@ -35,6 +35,12 @@ TEXTS: Mapping[str, Template] = {
     "content.invalid_search": N_(
         "The seed, threshold or search radius of target {target} is invalid."
     ),
+    "content.duplicate_target": N_("Two targets have the name {target}."),
+    "content.duplicate_line": N_("Two lines have the name {line}."),
+    "content.invalid_sighting": N_(
+        "The figures of target {target} in line {line} are outside the possible range."
+    ),
+    "content.invalid_truth": N_("The true boresight angles are outside the possible range."),
     "content.unknown_line": N_(
         "Target {target} has a sighting in line {line}, which is not in the list of lines."
     ),
@@ -89,6 +95,10 @@ TEXTS: Mapping[str, Template] = {
     "toml.not_finite": N_("{file}: {key} is {value}, which is not a finite number. Correct it."),
     "toml.below_minimum": N_(
         "{file}: {key} is {value}, which is too small. Give at least {least}."
+    ),
+    "toml.too_near_zero": N_(
+        "{file}: {key} is {value}, which is too near zero for any quantity. Give zero or a larger "
+        "amount."
     ),
     "toml.not_above": N_("{file}: {key} is {value}, which is too small. Give more than {bound}."),
     "toml.above_maximum": N_("{file}: {key} is {value}, which is too large. Give at most {most}."),

@@ -96,7 +96,7 @@ class PointSelection:
             choice.get("withheld", "exclude") == "keep",
             _classes(str(choice.get("exclude_classes", ""))),
             conditions_of(str(choice.get("only", ""))),
-            _most_range(str(choice.get("max_range", ""))),
+            most_range(str(choice.get("max_range", ""))),
         )
 
 
@@ -127,7 +127,13 @@ def _classes(text: str) -> tuple[int, ...]:
         raise InputError(error("survey.not_classes", text=text)) from None
 
 
-def _most_range(text: str) -> float:
+def most_range(text: str) -> float:
+    """Largest range of a scanner, metres, from the text of its option.
+
+    Raises
+    ------
+    InputError
+    """
     try:
         value = float(text) if text.strip() else MOST_RANGE
     except ValueError:

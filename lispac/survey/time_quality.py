@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.foreign_values import LEAST_AMOUNT
 from lispac.messages import Message, warning
 
 Array = NDArray[np.float64]
@@ -21,7 +22,7 @@ class TimeQuality:
     ----------
     count : int
     duplicates : int
-        Times equal to the one before.
+        Times equal to the one before, or nearer to it than any clock can tell.
     backward : int
         Times earlier than the one before.
     first_disorder : int or None
@@ -58,11 +59,11 @@ def time_quality(times: Array) -> TimeQuality:
     times = np.asarray(times, dtype=np.float64)
     with np.errstate(over="ignore", invalid="ignore"):
         steps = np.diff(times)
-    disorder = np.flatnonzero(~(steps > 0))
+    disorder = np.flatnonzero(~(steps >= LEAST_AMOUNT))
     return TimeQuality(
         len(times),
-        int((steps == 0).sum()),
-        int((steps < 0).sum()),
+        int((np.abs(steps) < LEAST_AMOUNT).sum()),
+        int((steps <= -LEAST_AMOUNT).sum()),
         int(disorder[0]) + 1 if disorder.size else None,
         _lost_resolution(times),
     )

@@ -7,6 +7,14 @@ from typing import Any
 from lispac.errors import InputError
 from lispac.messages import error
 
+THRESHOLDS, RADII = (1e-6, 100.0), (1e-3, 1e6)
+"""Least and largest distance threshold and search radius, metres."""
+
+
+def is_possible_search(threshold: float, radius: float) -> bool:
+    """Whether planes can be searched for with a threshold and a radius, both in metres."""
+    return THRESHOLDS[0] <= threshold <= THRESHOLDS[1] and RADII[0] <= radius <= RADII[1]
+
 
 @dataclass(frozen=True)
 class FinderSettings:
@@ -44,8 +52,8 @@ class FinderSettings:
 
     def __post_init__(self) -> None:
         for name, good in (
-            ("radius", self.radius > 0.0),
-            ("threshold", self.threshold > 0.0),
+            ("radius", RADII[0] <= self.radius <= RADII[1]),
+            ("threshold", THRESHOLDS[0] <= self.threshold <= THRESHOLDS[1]),
             ("stop", 0.0 < self.stop < 1.0),
             ("min_points", self.min_points >= 3),
             ("max_tilt", 0.0 < self.max_tilt <= pi / 2),

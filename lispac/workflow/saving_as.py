@@ -15,12 +15,14 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud, CloudOnDisk, Line
 from lispac.survey.store.layout import (
-    COLUMNS,
     HEADER,
     HEADER_SUM,
     MANIFEST,
-    PART,
+    columns_folders,
     is_link,
+    remove_columns,
+    remove_manifest_parts,
+    require_no_link,
     write_manifest,
 )
 from lispac.survey.store.lock import LOCK, locked
@@ -120,6 +122,7 @@ def _unfinished(folder: Path) -> Iterator[None]:
         Where another save into the folder runs.
     """
     lines = folder / LINES
+    require_no_link(lines)
     lines.mkdir(parents=True, exist_ok=True)
     with ExitStack() as held:
         try:
@@ -143,9 +146,11 @@ def _remove_unfinished(lines: Path) -> None:
         store = mark.parent
         if is_link(store):
             continue
-        for columns in store.glob(f"{COLUMNS}*"):
-            shutil.rmtree(columns, ignore_errors=True)
-        for name in (MANIFEST, f"{MANIFEST}{PART}", MARK):
+        for columns in columns_folders(store):
+            if not is_link(columns):
+                remove_columns(columns)
+        remove_manifest_parts(store)
+        for name in (MANIFEST, MARK):
             (store / name).unlink(missing_ok=True)
         if not any(store.iterdir()):
             store.rmdir()
@@ -169,6 +174,7 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
         Where the line was imported again meanwhile, or is damaged.
     """
     manifest = stored.manifest
+    require_no_link(there.parent, there)
     if there.is_dir() and any(there.iterdir()):
         raise ProjectError(error("project_folder.has_files", folder=str(there)))
     there.mkdir(exist_ok=True)
@@ -186,7 +192,7 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
                 ProjectError(error("import.part_missing", file=str(path), line=stored.name))
             ) from failure
         place = there / manifest.folder / name
-        with source, place.open("wb") as copy:
+        with source, place.open("xb") as copy:
             then = os.fstat(source.fileno())  # its name may be gone at the end
             while piece := source.read(PIECE):
                 progress(min(done / total, 1.0), f"Copying {stored.name}")

@@ -6,15 +6,16 @@ import shutil
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from tempfile import mkdtemp
 
 import numpy as np
 
 from lispac.errors import InputError, ProjectError
+from lispac.foreign_values import json_values
 from lispac.io.files import not_written, remove_empty, written_whole
 from lispac.io.las import write_points
-from lispac.io.project_file import FILE_NAME, SIGHTINGS
+from lispac.io.project_file import FILE_NAME, SIGHTINGS, remove_points
 from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.io.text_export import write_table
 from lispac.messages import error
@@ -31,6 +32,7 @@ from lispac.workflow.projects import create_project
 from lispac.workflow.simulated_setup import Simulation
 
 RAW, TRUTH, MARKER = "raw", "truth", "simulated"
+TRUTHS = (f"{TRUTH}/truth.json", f"{TRUTH}/labels.npz")
 TRAJECTORY, ACCURACY = "trajectory.sbet", "smrmsg.out"
 TARGETS = "targets.csv"
 """List of coordinates that ``lispac pick --seeds`` reads."""
@@ -76,8 +78,8 @@ def simulate(
     for line in survey.lines:
         if not len(line.time):
             raise InputError(error("simulate.line_without_points", line=line.name))
-    mark, parts = "Simulated survey; each simulation replaces it.\n", (RAW, TRUTH, TARGETS, BALLS)
-    with replacement(folder, MARKER, mark, parts) as new:
+    mark = "Simulated survey; each simulation replaces it.\n"
+    with replacement(folder, MARKER, mark, (*TRUTHS, TARGETS, BALLS)) as new:
         write_lines(survey, new / RAW, progress=part(progress, 0.6, 0.95))
         write_trajectory(survey, new / RAW)
         _write_truth(survey, simulation, new, seed)
@@ -128,9 +130,7 @@ def require_replaceable(folder: Path, marker: str) -> None:
 
 
 @contextmanager
-def replacement(
-    folder: Path, marker: str, text: str, parts: Sequence[str] = (RAW,)
-) -> Iterator[Path]:
+def replacement(folder: Path, marker: str, text: str, parts: Sequence[str] = ()) -> Iterator[Path]:
     """Yield an empty folder for the files of a new survey, which replace those of the earlier one.
 
     The files are moved into ``folder`` when all are written. Where that fails, what was there
@@ -143,7 +143,8 @@ def replacement(
     text : str
         Content of that file.
     parts : sequence of str
-        Files and folders of the earlier survey, which are removed besides the project.
+        Files of the earlier survey, which are removed besides the project, the trajectory and
+        the lines; files of the user stay.
 
     Raises
     ------
@@ -165,19 +166,36 @@ def replacement(
         with written_whole(new / RAW / marker) as path:
             path.write_text(text, encoding="utf-8")
         yield new
-        (folder / FILE_NAME).unlink(missing_ok=True)
-        for earlier in (folder / name for name in (SIGHTINGS, *parts)):
-            if earlier.is_dir():
-                shutil.rmtree(earlier)
-            else:
-                earlier.unlink(missing_ok=True)
-        for path in new.iterdir():
-            path.rename(folder / path.name)
+        _remove_earlier(folder, parts)
+        for path in sorted(path for path in new.rglob("*") if path.is_file()):
+            place = folder / path.relative_to(new)
+            place.parent.mkdir(exist_ok=True)
+            path.replace(place)
     except OSError as failure:
         raise not_written(folder, failure) from failure
     finally:
         shutil.rmtree(new, ignore_errors=True)
         remove_empty(made)
+
+
+def _remove_earlier(folder: Path, parts: Sequence[str]) -> None:
+    """Remove the files of an earlier simulation; those that it did not write stay."""
+    raw = [f"{RAW}/{name}" for name in (TRAJECTORY, ACCURACY)]
+    for path in (*_lines_of(folder), *(folder / name for name in (*raw, *parts))):
+        if path.is_file() or path.is_symlink():
+            path.unlink()
+    (folder / FILE_NAME).unlink(missing_ok=True)
+    remove_points(folder)
+
+
+def _lines_of(folder: Path) -> list[Path]:
+    """Files in the folder ``raw`` that the project of an earlier simulation has as its lines."""
+    try:
+        lines = json_values((folder / FILE_NAME).read_bytes())["lines"]
+        names = [PurePosixPath(line["path"]) for line in lines]
+    except (OSError, ValueError, KeyError, TypeError):
+        return []
+    return [folder / name for name in names if name.parts == (RAW, name.name)]
 
 
 def write_lines(
@@ -258,9 +276,9 @@ def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, 
         },
         "lever_arm_written_down_m": simulation.lever_arm,
     }  # fmt: skip
-    with written_whole(folder / TRUTH / "truth.json") as path:
+    with written_whole(folder / TRUTHS[0]) as path:
         path.write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
-    with written_whole(folder / TRUTH / "labels.npz") as path:
+    with written_whole(folder / TRUTHS[1]) as path:
         labels = {line.name: line.label for line in survey.lines}
         np.savez_compressed(path, surfaces=np.array(survey.surface_names), **labels)  # type: ignore[arg-type]
     for file, spheres in ((TARGETS, False), (BALLS, True)):

@@ -25,8 +25,10 @@ from lispac.survey.audit_messages import line_messages, shared_messages, simulta
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.line_audit import LineAudit
+from lispac.survey.screening import most_range
 from lispac.survey.source import printable
 from lispac.survey.store.layout import is_import
+from lispac.survey.store.reading import ROUNDING, StoredLine
 from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_rate import interpolation_messages
@@ -171,6 +173,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
             times = times[trajectory.covers(times)]
             messages += line_messages(line.name, found.audit, trajectory, times)
             messages += found.recovery
+        messages += _range_messages(line, scan)
         scans[line.name], clouds[line.name] = scan, cloud
         heading[line.name] = _median_heading(trajectory, scan)
         _require_picked_on(project, line, scan)
@@ -183,6 +186,17 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     return Survey(
         trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
     )
+
+
+def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:
+    """Whether a stored line has points that its import would have left out."""
+    if not isinstance(scan, StoredLine):
+        return ()
+    limit = most_range(dict(line.reading.options).get("max_range", ""))
+    if scan.reach <= limit * (1.0 + ROUNDING):
+        return ()
+    params: dict[str, Value] = {"line": line.name, "distance": scan.reach, "limit": limit}
+    return (Message("audit.beyond_range", Level.WARNING, params, Cause.of_line(line.name)),)
 
 
 def _not_checked(name: str) -> Message:

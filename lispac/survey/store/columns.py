@@ -31,7 +31,7 @@ class ColumnFile:
     def __init__(self, folder: Path, file: str, name: str, dtype: str, shape: Any = ()) -> None:
         self._path, self._name = folder / file, name
         self._dtype, self._shape = np.dtype(dtype), tuple(shape)
-        self._file = self._path.open("wb")
+        self._file = self._path.open("xb")
         self._file.write(bytes(HEADER))
         self._count = self._checksum = self._bytes = 0
 
@@ -78,7 +78,7 @@ class ScatteredColumn:
     def __init__(self, folder: Path, file: str, name: str, dtype: str, count: int) -> None:
         self._path, self._name, self._dtype = folder / file, name, np.dtype(dtype)
         self._count = count
-        with self._path.open("wb") as column:
+        with self._path.open("xb") as column:
             column.write(header_of(self._dtype, (count,)))
             left = count * self._dtype.itemsize
             while left > 0:

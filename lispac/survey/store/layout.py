@@ -10,12 +10,13 @@ import errno
 import json
 import os
 import re
+import secrets
 import stat
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 from zlib import crc32
 
 import numpy as np
@@ -35,8 +36,14 @@ MANIFEST, SPOOL, COLUMNS, PART = "store.json", "spool", "columns-", ".part"
 COLUMNS_NAME = re.compile(rf"{COLUMNS}[0-9]{{1,9}}")
 HEADER, HEADER_SUM = "header.las", "header.sum"
 """Header of the imported file and its checksum, beside the columns."""
-COLUMN_FILE = re.compile(rf"(.+\.npy|{HEADER}|{HEADER_SUM})({PART})?")
+UNFINISHED = rf"((\.[0-9a-f]{{16}})?{re.escape(PART)})"
+"""Pattern of what follows the name of a file that is being written, see `written_anew`."""
+COLUMN_FILE = re.compile(
+    rf"(({'|'.join(sorted(OWN_FILES))}|before|coarse_intensity|attribute-[0-9]{{2,}}-[A-Za-z0-9_]*)"
+    rf"\.npy|{re.escape(HEADER)}|{re.escape(HEADER_SUM)}){UNFINISHED}?"
+)
 """Names of the files that an import writes into the folder of its columns."""
+MANIFEST_PART = re.compile(re.escape(MANIFEST) + UNFINISHED)
 LARGEST_REACH, LARGEST_TIME = 1e7, 1e12
 """Metres from the origin and seconds that no survey has."""
 
@@ -357,14 +364,31 @@ def unsealed(text: str) -> Any:
 
 def write_text_whole(path: Path, text: str) -> None:
     """Write a small file by a rename, on the disk before the rename counts."""
-    part = path.with_name(path.name + PART)
+    with written_anew(path) as file:
+        file.write(text.encode("utf-8"))
+        flushed(file)
+
+
+@contextmanager
+def written_anew(path: Path) -> Iterator[BinaryIO]:
+    """Yield a new file beside ``path``, which gets its name when all is written.
+
+    Its name is random, and it is made only where nothing has this name: a link that somebody put
+    there is never followed. A link with the name of ``path`` is replaced.
+    """
+    part = path.with_name(f"{path.name}.{secrets.token_hex(8)}{PART}")
+    with part.open("xb") as file:
+        try:
+            yield file
+        except BaseException:
+            file.close()
+            part.unlink(missing_ok=True)
+            raise
     try:
-        with part.open("w", encoding="utf-8") as file:
-            file.write(text)
-            flushed(file)
         part.replace(path)
-    finally:
+    except BaseException:
         part.unlink(missing_ok=True)
+        raise
 
 
 def flushed(file: Any) -> None:
@@ -394,12 +418,22 @@ def remove_columns(folder: Path) -> None:
 
 def remove_leftovers(folder: Path, keep: str = "") -> None:
     """Remove what interrupted imports left, but not the columns ``keep`` nor complete blocks."""
-    for path in folder.glob(f"{COLUMNS}*"):
-        if path.name != keep and COLUMNS_NAME.fullmatch(path.name) and not is_link(path):
+    for path in columns_folders(folder):
+        if path.name != keep and not is_link(path):
             remove_columns(path)
-    blocks = [] if is_link(folder / SPOOL) else (folder / SPOOL).glob(f"*{PART}")
-    for path in (folder / f"{MANIFEST}{PART}", *blocks):
-        path.unlink(missing_ok=True)
+    remove_manifest_parts(folder)
+
+
+def columns_folders(folder: Path) -> list[Path]:
+    """What has the name of a folder of columns in the folder of a line, links among it."""
+    return sorted(path for path in folder.iterdir() if COLUMNS_NAME.fullmatch(path.name))
+
+
+def remove_manifest_parts(folder: Path) -> None:
+    """Remove manifests that an interrupted import has not written to the end."""
+    for path in folder.iterdir():
+        if MANIFEST_PART.fullmatch(path.name) and (is_link(path) or path.is_file()):
+            path.unlink(missing_ok=True)
 
 
 @contextmanager

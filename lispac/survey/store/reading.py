@@ -186,6 +186,11 @@ class StoredLine:
         return numbers
 
     @property
+    def reach(self) -> float:
+        """Of the farthest point from the scanner, metres."""
+        return self.manifest.reach
+
+    @property
     def first_time(self) -> float:
         """Seconds, in the trajectory's time base."""
         return self.manifest.first_time

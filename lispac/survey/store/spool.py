@@ -25,20 +25,23 @@ from lispac.survey.store.cells import Keys, choose_side, extent, order_keys, sor
 from lispac.survey.store.columns import checksum_of
 from lispac.survey.store.fingerprint import Running
 from lispac.survey.store.layout import (
-    PART,
     SPOOL,
+    UNFINISHED,
     Column,
     is_link,
     sealed,
     unsealed,
     write_text_whole,
+    written_anew,
 )
 from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
 
 DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
 RECIPE, COMPLETE = "recipe.json", "complete.json"
 VERSION = 3
-SPOOLED_NAME = re.compile(rf"(block-[0-9]+\.(keys|columns|json)|{RECIPE}|{COMPLETE})({PART})?")
+SPOOLED_NAME = re.compile(
+    rf"(block-[0-9]{{5,}}\.(keys|columns|json)|{re.escape(RECIPE)}|{re.escape(COMPLETE)}){UNFINISHED}?"
+)
 """Names of the files of a spool: no others are removed."""
 
 
@@ -262,13 +265,11 @@ class Spool:
     def _write(self, number: int, kind: str, columns: Iterable[NDArray[Any]]) -> int:
         """Write a file of a block; gives its checksum."""
         path, checksum = self._path(number, kind), 0
-        part = path.with_name(path.name + PART)
-        with part.open("wb") as file:
+        with written_anew(path) as file:
             for values in columns:
                 data = values.reshape(-1).view(np.uint8).data
                 file.write(data)
                 checksum = crc32(data, checksum)
-        part.replace(path)
         return checksum
 
     def _path(self, number: int, kind: str) -> Path:

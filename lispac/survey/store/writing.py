@@ -25,6 +25,7 @@ from lispac.survey.store.layout import (
     DamagedStore,
     Manifest,
     Original,
+    columns_folders,
     is_link,
     plainly_written,
     read_manifest,
@@ -111,6 +112,7 @@ def write_store(
     try:
         with plainly_written(folder):
             folder.mkdir(parents=True, exist_ok=True)
+            require_no_link(*columns_folders(folder))
             with locked(folder):
                 current = _current(folder)
                 remove_leftovers(folder, keep=current)
@@ -131,14 +133,14 @@ def _import(
     progress: Progress,
 ) -> Manifest:
     spool: Spool | None = None
-    new = folder / f"{COLUMNS}{int(current.removeprefix(COLUMNS) or 0) + 1}"
+    new: Path | None = None
     expected = _Expected()
     try:
         with plainly_written(folder, expected.bytes):
             spool = Spool(folder, asdict(recipe))
             reading = part(progress, 0.0, READING_SHARE)
             end = _fill(spool, recipe, pieces, place, findings, expected, reading)
-            new.mkdir()
+            new = _new_columns(folder, current)
             own, attributes = write_columns(
                 spool, new, place, recipe.line, progress=part(progress, READING_SHARE, 1.0)
             )
@@ -147,7 +149,8 @@ def _import(
             manifest = stamped(folder, manifest)
             write_manifest(folder, manifest)
     except BaseException as failure:
-        if _current(folder) != new.name:  # stopped after the manifest: the line is imported
+        # Where it stopped after the manifest, the line is imported
+        if new is not None and _current(folder) != new.name:
             remove_columns(new)
         # A file that cannot be read and a disk that is full get nothing from a half kept for later.
         if spool is not None and isinstance(failure, LispacError):
@@ -156,6 +159,19 @@ def _import(
     spool.remove()
     remove_leftovers(folder, keep=new.name)
     return manifest
+
+
+def _new_columns(folder: Path, current: str) -> Path:
+    """Make the folder of new columns, with the next number that nothing there has."""
+    number = int(current.removeprefix(COLUMNS) or 0) + 1
+    while True:
+        new = folder / f"{COLUMNS}{number}"
+        try:
+            new.mkdir()
+        except FileExistsError:
+            number += 1
+        else:
+            return new
 
 
 def _manifest(
