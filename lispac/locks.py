@@ -14,9 +14,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from lispac.errors import InputError
-from lispac.messages import error
-
 POLL = 0.05
 """Seconds between two attempts to get a lock."""
 UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
@@ -24,6 +21,10 @@ UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
 
 class LockTaken(Exception):
     """Somebody else holds the lock."""
+
+
+class NotALockFile(Exception):
+    """A link or a folder has the name of the lock file."""
 
 
 @contextmanager
@@ -43,7 +44,7 @@ def file_lock(
     ------
     LockTaken
         Where it is still held after that time, by this process or another.
-    InputError
+    NotALockFile
         Where a link or a folder has the name of the lock file.
     OSError
         Where the file cannot be made.
@@ -63,7 +64,7 @@ def _taken(path: Path, until: float, waiting: Callable[[], None]) -> int:
     Raises
     ------
     LockTaken
-    InputError
+    NotALockFile
     OSError
     """
     while True:
@@ -72,7 +73,7 @@ def _taken(path: Path, until: float, waiting: Callable[[], None]) -> int:
             handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
         except OSError:
             if path.is_symlink() or path.is_dir():
-                raise InputError(error("lock.not_a_file", file=str(path))) from None
+                raise NotALockFile(str(path)) from None
             raise
         try:
             _lock(handle)

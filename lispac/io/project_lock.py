@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from lispac.errors import ProjectError
+from lispac.errors import InputError, ProjectError
 from lispac.io.files import not_written
-from lispac.locks import LockTaken, file_lock
+from lispac.locks import LockTaken, NotALockFile, file_lock
 from lispac.messages import error
 
 FILE_NAME = "project.json"
@@ -41,7 +41,7 @@ def project_lock(
     ProjectError
         Where another program still holds it after that time.
     InputError
-        Where the folder cannot be written.
+        Where the folder cannot be written, or the lock file is a link or a folder.
     """  # noqa: DOC501 - `not_written` makes an InputError
     key = os.path.realpath(folder), threading.get_ident()
     if key in _held:
@@ -56,6 +56,8 @@ def project_lock(
         lock.__enter__()
     except LockTaken as failure:
         raise ProjectError(error("project.locked", folder=str(folder))) from failure
+    except NotALockFile as failure:
+        raise InputError(error("lock.not_a_file", file=str(folder / LOCK_NAME))) from failure
     except OSError as failure:
         raise not_written(folder / FILE_NAME, failure) from failure
     _held[key] = 1

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from lispac.errors import ProjectError
-from lispac.locks import LockTaken, file_lock, is_locked
+from lispac.errors import InputError, ProjectError
+from lispac.locks import LockTaken, NotALockFile, file_lock, is_locked
 from lispac.messages import error
 
 LOCK = ".importing"
@@ -19,12 +19,16 @@ def locked(folder: Path) -> Iterator[None]:
     ------
     ProjectError
         Where the line is being imported already.
+    InputError
+        Where the lock file is a link or a folder.
     """
     try:
         with file_lock(folder / LOCK):
             yield
     except LockTaken as failure:
         raise ProjectError(error("store.locked", folder=str(folder))) from failure
+    except NotALockFile as failure:
+        raise InputError(error("lock.not_a_file", file=str(folder / LOCK))) from failure
 
 
 def is_held(folder: Path) -> bool:
