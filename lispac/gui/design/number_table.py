@@ -139,7 +139,9 @@ class NumberTable(QTableWidget):
         self._showing = False
         self.setHorizontalHeaderLabels(
             [
-                f"{gettext(each.title)}\n({each.sign})" if each.unit else gettext(each.title)
+                gettext("{title}\n({unit})", title=gettext(each.title), unit=each.sign)
+                if each.unit
+                else gettext(each.title)
                 for each in fields
             ]
         )
