@@ -157,7 +157,7 @@ def test_what_is_said_of_bad_input_is_said_in_french_whole(folder: str) -> None:
 
     It checks typed messages, which the reverse translation does not know, in French too.
     """
-    for name, (english, _, _) in rows().items():
+    for english, _, _ in rows().values():
         say = Translator(FRENCH, spoken_numbers=True)
         placed = re.sub(r"^(?=[\w/]+(\.\w+)[:,] )", lambda _: folder, english)
         said = say(placed)

@@ -64,7 +64,7 @@ class Field:
     def sign(self) -> str:
         """Symbol of the unit that is shown."""
         if self.base is None:
-            return self.unit
+            return "°" if self.unit == "deg" else self.unit
         return units.unit(self.base).sign + ("/s" if self.unit.endswith("/s") else "")
 
     def limit(self, value: float) -> str:
