@@ -34,7 +34,9 @@ class PicturesPanel(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
         self.empty = widgets.label(gettext(NOTHING), "muted", wrap=True)
-        self.which = widgets.Choice("design_picture", [LESS_TIME], gettext("Figure to show"))
+        self.which = widgets.Choice(
+            "design_picture", [gettext(LESS_TIME)], gettext("Figure to show")
+        )
         self.which.setAccessibleName(gettext("Figure to show"))
         self.which.clear()
         self.which.hide()
