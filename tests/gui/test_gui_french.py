@@ -182,7 +182,7 @@ def test_a_site_is_designed(french: Driver) -> None:
     french.rest()
     assert edits.hung(design.workspace.titled)[0].along == pytest.approx(1.25)
     assert design.targets.table.item(0, 1).text() == "1,25"
-    undo = "&Annuler\u00a0: position le long du mur de la cible 1"
+    undo = "&Annuler\u00a0: T1\u00a0: Le long du mur"
     assert design.actions_["undo"].text() == undo
     sides = design.lines.table
     assert {sides.item(row, 3).text() for row in range(sides.rowCount())} <= {"bâbord", "tribord"}

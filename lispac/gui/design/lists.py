@@ -43,7 +43,7 @@ TARGET_FIELDS = (
     Field("flatness", N_("Form error"), N_("Deviation of the surface from its ideal shape, 1σ"),
           "mm", 0.0, 100.0, 1, empty=N_("as plan")),
 )  # fmt: skip
-NAME_OF_EDIT = N_("{field} of line {line:n}"), N_("{field} of {target}")
+NAME_OF_EDIT = N_("Line {line:n}: {field}"), N_("{target}: {field}")
 BALL_LEAST = 0.04
 """Metres: smallest diameter."""
 
