@@ -99,7 +99,7 @@ def test_at_the_command_line(
     code, out, err = run(capsys, *words, "--workers", 2, "--flatness-known")
     assert code == 0, err
     assert "4 surveys simulated and adjusted" in out
-    assert "scatter / foretold" in out
+    assert "scatter / predicted" in out
 
 
 def once(marker: Path, number: int) -> int:
@@ -360,16 +360,16 @@ def test_the_words_say_which_sigma_is_too_small() -> None:
     sigmas, alone = np.full((400, 3), 1e-4), np.eye(3)
     found = Scatter(generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], alone, 2)
     yaw, chi, failed = found.words
-    assert yaw.startswith("The stated sigma of yaw is too small")
-    assert "the errors are larger than foretold" in chi
+    assert yaw.startswith("The stated standard deviation of yaw is too small")
+    assert "the errors are larger than predicted" in chi
     assert failed.startswith("2 surveys could not be adjusted")
     others = Scatter(found.errors * [1, 1, 0.2], sigmas, sigmas[0], alone, 0)
-    assert "as often as they should" in others.words[0]
-    assert "the errors are as large as foretold" in others.words[1]
+    assert "agrees with 95 %" in others.words[0]
+    assert "the errors agree with the prediction" in others.words[1]
     off = replace(others, errors=others.errors + [0.0, 5e-5, 0.0])
-    assert any("mean error of pitch is +0.00" in said for said in off.words)
+    assert any("mean error of pitch is significant: +0.00" in said for said in off.words)
     small = replace(others, errors=0.8 * others.errors)
-    assert any("are smaller than foretold" in said for said in small.words)
+    assert any("are smaller than predicted" in said for said in small.words)
 
 
 def test_chi_square_knows_that_angles_go_together() -> None:
@@ -397,8 +397,8 @@ def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> 
     whole = surveyed(SMALL, 14)
     part = surveyed(SMALL, 14, enough=6, progress=cancelled_after(8))
     assert np.array_equal(part.errors, whole.errors[:8])
-    assert headline("Pier", part, 14) == "Pier: cancelled after 8 of 14 surveys"
-    assert headline("Pier", whole, 14) == "Pier: 14 surveys simulated and adjusted"
+    assert str(headline("Pier", part, 14)) == "Pier: cancelled after 8 of 14 surveys"
+    assert str(headline("Pier", whole, 14)) == "Pier: 14 surveys simulated and adjusted"
     for enough in (6, None):
         with pytest.raises(Cancelled):
             surveyed(SMALL, 14, enough=enough, progress=cancelled_after(5))

@@ -13,12 +13,11 @@ from matplotlib.figure import Figure
 
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.values import decoded, encoded
+from lispac.language import in_language
 from lispac.report.maps import map_figure, map_figure_of
 from lispac.report.tables import write_tables
 from lispac.report.text_width import width_of
 from lispac.report.validation_values import ValidationPlane
-from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.translation import Translator
 from lispac.validation.comparison import compare_plane
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.results import PlaneComparison
@@ -109,8 +108,9 @@ def test_no_text_meets_another_or_the_margin(
         cell_m=first.cell_m * min(sides),
     )  # fmt: skip
     plane = replace(plane, maps=(turned, turned))
-    figure = map_figure_of(plane, Translator(catalogue_of(language)))
-    FigureCanvasAgg(figure).draw()
+    with in_language(language):
+        figure = map_figure_of(plane)
+        FigureCanvasAgg(figure).draw()
     boxes = [
         text.get_window_extent()
         for axes in figure.axes

@@ -119,7 +119,7 @@ def test_an_answer_with_shared_points_is_in_doubt_everywhere(
     assert "can be used" not in result_words.verdict(result, checks, doubles(both))
     assert doubt in sample_content(both).cautions
     step = steps(both, None, waiting=False, refusal="")[2]
-    assert ("in doubt" in step.sentence) == serious
+    assert ("with warnings" in step.sentence) == serious
 
 
 def test_what_takes_no_part_does_not_count(project: Project) -> None:

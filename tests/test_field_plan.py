@@ -126,7 +126,7 @@ def test_scenarios_and_front_are_drawn() -> None:
     found = outcomes(thesis_setting(), ("lines",))
     figure = scenario_figure(found)
     assert [axes.get_title(loc="left") for axes in figure.axes] == [
-        "POS errors that drift", "every point its own POS error (thesis)",
+        "correlated POS errors", "uncorrelated POS errors (classical)",
     ]  # fmt: skip
     assert sum(text == "not determined" for text in words(figure)) == 10
     heights = [bar.get_height() for bar in figure.axes[0].containers[1]]

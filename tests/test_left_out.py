@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.message_texts import note_text
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.time_base import GPS_EPOCH, WEEK
@@ -34,7 +35,7 @@ def test_gaps_are_told_from_the_ends_for_lines_on_the_map_too(tmp_path: Path) ->
     times = START + np.linspace(5, 45, 4001)
     line = write_line(tmp_path / "utm.las", times, place + fan(4001), SYSTEM)
     _, survey = made(tmp_path / "p", tmp_path / "gap.sbet", line)
-    note = next(note for note in survey.notes if "are left out" in note)
+    note = next(each for each in map(note_text, survey.notes) if "are left out" in each)
     end = float(records[-1, 0])
     assert f"{(times > end).sum():,} points outside the trajectory's time" in note
     assert "points in a gap of the trajectory longer than 1.5 s, of 4,001, are left out" in note
@@ -52,12 +53,12 @@ def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> N
     told = "beyond, its first and last values are taken"
     track = tmp_path / "pos.sbet"
     _, survey = made(tmp_path / "p", track, line, accuracy=tmp_path / "half.out")
-    notes = " ".join(survey.notes)
+    notes = " ".join(map(note_text, survey.notes))
     assert "half.out: it covers 486,000.0 to 486,020.0 s, not the whole trajectory" in notes
     assert told in notes
     assert told in said(taken_in(Intake(), track, tmp_path / "half.out"), "half.out")
     _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")
-    assert told not in " ".join(survey.notes)
+    assert told not in " ".join(map(note_text, survey.notes))
 
 
 def test_a_base_that_the_values_suggested_is_said_to_be_that(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from lispac.workflow.calibration import check
 from lispac.workflow.patch_test import propose
 from lispac.workflow.picking import find, pick
 from lispac.workflow.proposing import Proposal
-from lispac.workflow.replay import LEFT_OPEN, replay
+from lispac.workflow.replay import replay
 from lispac.workflow.sections import cut_target
 from lispac.workflow.survey import Survey
 from lispac.workflow.validation import validate
@@ -164,7 +164,7 @@ def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledP
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
     found = replay(few, only(survey, "L1", "L2"), planned)
     assert not np.isfinite(found.sailed).all()
-    assert found.words[0] == LEFT_OPEN
+    assert "does not determine" in found.words[0]
     assert found.missing_targets == ("T2",)
     assert len(found.missing_lines) == 4
     assert len(found.costs) == 5

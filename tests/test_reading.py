@@ -11,6 +11,7 @@ from pyproj import CRS
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.sbet import read_sbet
+from lispac.message_texts import note_text
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
@@ -62,7 +63,7 @@ def test_georeferenced_lines_come_back_to_the_scanner(calibrated, clouds, tmp_pa
         tmp_path / "map", trajectory=project.trajectory, lines=clouds, settings=settings
     )
     assert dict(made.lines[0].reading.options)["frame"] == "georeferenced"
-    assert any("EPSG:32619" in note for note in read.notes)
+    assert any("EPSG:32619" in note_text(note) for note in read.notes)
     for name in read.lines:
         own = survey.scans[name]
         off = np.linalg.norm(read.scans[name].points_lidar - own.points_lidar, axis=1)

@@ -94,18 +94,16 @@ def _balls(second: np.ndarray) -> dict[str, str]:
 def test_two_balls_alike_beside_where_one_was_are_not_told_apart() -> None:
     assert _balls(_ball((0.4, 15.0, 5.0))) == {}
     twins = np.vstack([_ball((0.6, 15.0, 5.0)), _ball((-0.6, 15.0, 5.0))])
-    assert _balls(twins) == {
-        "L2": "Two spheres 1.20 m apart resemble the target equally. Set a separate seed for this "
-        "line."
-    }
+    (reason,) = _balls(twins).values()
+    assert reason.code == "finder.two_spheres"
+    assert reason.params["distance"] == pytest.approx(1.2, abs=0.01)
 
 
 def test_a_ball_of_another_size_is_not_the_target() -> None:
-    (said,) = _balls(_ball((0.0, 15.0, 5.0), 0.4)).values()
-    assert said == (
-        "The sphere found has a radius of 0.400 m, but in the line of the seed the radius is "
-        "0.150 m."
-    )
+    (reason,) = _balls(_ball((0.0, 15.0, 5.0), 0.4)).values()
+    assert reason.code == "finder.radius_differs"
+    assert reason.params["radius"] == pytest.approx(0.4, abs=0.002)
+    assert reason.params["expected"] == pytest.approx(0.15, abs=0.002)
 
 
 def test_a_ball_found_twice_is_no_contradiction() -> None:
@@ -140,10 +138,9 @@ def test_two_boards_alike_at_different_depths_are_not_told_apart() -> None:
     _, missing = find_in_lines(
         {"L1": _board(place), "L2": twins}, np.array(place), FinderSettings(), first_line="L1"
     )
-    assert missing == {
-        "L2": "Two planes 1.65 m apart resemble the target equally. Set a separate seed for this "
-        "line."
-    }
+    assert set(missing) == {"L2"}
+    assert missing["L2"].code == "finder.two_planes"
+    assert missing["L2"].params["distance"] == pytest.approx(1.65, abs=0.01)
 
 
 def test_a_speck_of_a_ball_does_not_tell_where_it_is() -> None:

@@ -150,7 +150,7 @@ def test_boxes_by_hand_are_added_looked_at_and_removed(opened: Driver) -> None:
     opened.rest()
     assert "Select a target" in window.log.toPlainText()
     click(opened, shown.box)
-    assert "Switch the clip box on" in window.log.toPlainText()
+    assert "Switch on the clip box" in window.log.toPlainText()
     line = window.document.survey.lines[0]
     points = opened.viewport.clouds[line]
     high = int(np.abs(points - [32.0, -24.5, 36.0]).sum(axis=1).argmin())

@@ -73,9 +73,7 @@ def test_a_project_whose_files_nobody_finds_stays_closed(driver: Driver, demo_co
     driver.rest()
     assert driver.dialogs.asked == ["harbour: 1"]
     assert driver.window.document.project is None
-    assert driver.window.task_bar.currentMessage() == (
-        "harbour was not opened: its files are missing"
-    )
+    assert driver.window.task_bar.currentMessage() == ("harbour was not opened: files are missing")
 
 
 def test_a_folder_without_a_project_is_refused_in_words(driver: Driver, tmp_path: Path):

@@ -163,10 +163,13 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
     opened.bot.waitUntil(lambda: bool(titles), timeout=WAIT_MS)
     opened.rest()
     assert len(seen) == 1
-    assert titles == ["Picking 4 seeds of quay.csv"]
+    assert titles == ["Searching for the targets of 4 seeds of quay.csv"]
     assert opened.project is before
     assert not opened.dialogs.asked
-    assert "Picking 4 seeds of quay.csv: cancelled" in opened.window.log.toPlainText()
+    assert (
+        "Searching for the targets of 4 seeds of quay.csv: cancelled"
+        in opened.window.log.toPlainText()
+    )
     assert opened.window.targets.list_seeds.isEnabled()
 
 

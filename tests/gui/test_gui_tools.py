@@ -35,9 +35,9 @@ def test_two_clicks_measure_a_distance_and_escape_ends(opened: Driver) -> None:
     sketch = view.sketches["measure"]
     slope = np.linalg.norm(second - first)
     level = np.hypot(*(second - first)[:2])
-    assert f"Slope distance {slope:.3f} m" in sketch.label
-    assert f"Horizontal {level:.3f} m" in sketch.label
-    assert f"{abs(second[2] - first[2]):.3f} m" in sketch.label
+    assert f"Slope distance {slope:.3f}\u00a0m" in sketch.label
+    assert f"Horizontal {level:.3f}\u00a0m" in sketch.label
+    assert f"{abs(second[2] - first[2]):.3f}\u00a0m" in sketch.label
     assert sketch.edges == ((0, 1),)
     assert f"Slope distance {slope:.3f} m" in window.log.toPlainText()
     points(opened, 7)  # the next click begins anew

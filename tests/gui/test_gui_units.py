@@ -222,6 +222,7 @@ def test_every_typed_field_of_the_adjustment_says_its_unit(program: Session) -> 
 
 def test_measured_in_feet(imperial: None) -> None:
     words = distance_text(np.zeros(3), np.array([3.0, 0.0, -4.0]))
+    words = words.replace("\u00a0", " ")
     assert words.split("\n")[0] == f"Slope distance {5 / FOOT:.3f} ft"
     assert words.split("\n")[2] == f"Vertical −{4 / FOOT:.3f} ft"
     assert words.endswith("°")  # an azimuth is one of the compass
@@ -275,7 +276,7 @@ def test_what_was_measured_is_metric_in_a_picture_for_a_file(
     for place in ((0.0, 0.0, 0.0), (3.0, 0.0, -4.0)):
         measuring._take(PickedPoint(opened.project.lines[0].name, place))
     sketch = opened.viewport.sketches["measure"]
-    assert words_of(sketch).startswith(f"Slope distance {5 / FOOT:.3f} ft")
+    assert words_of(sketch).startswith(f"Slope distance {5 / FOOT:.3f}\u00a0ft")
     with units.standard():
         assert words_of(sketch).startswith("Slope distance 5.000 m")
 

@@ -258,8 +258,9 @@ def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
 
 def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
     picked.window.safekeeping._cannot_keep(OSError("The disk is full"))
-    said = "Unsaved work is not kept against a crash: The disk is full"
-    assert listed(picked)[row_of(picked, said)].level is Level.WARNING
+    (found,) = [each for each in listed(picked) if each.code == "window.unsaved_work_not_kept"]
+    assert found.params["reason"] == "The disk is full"
+    assert found.level is Level.WARNING
 
 
 def test_nothing_to_warn_of_is_said(picked: Driver) -> None:

@@ -304,7 +304,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     picked.rest()
     (comparison,) = picked.project.validation
     assert comparison.after.rms < comparison.before.rms
-    assert sentence(picked, 3) == "1 of 1 plane closer than before"
+    assert sentence(picked, 3) == "1 of 1 plane improved"
     panel = picked.window.histograms
     assert panel.isVisible()
     assert panel.current == "V1"
