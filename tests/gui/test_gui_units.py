@@ -278,7 +278,7 @@ def test_what_was_measured_is_metric_in_a_picture_for_a_file(
     sketch = opened.viewport.sketches["measure"]
     assert words_of(sketch).startswith(f"Slope distance {5 / FOOT:.3f}\u00a0ft")
     with units.standard():
-        assert words_of(sketch).startswith("Slope distance 5.000 m")
+        assert words_of(sketch).startswith("Slope distance 5.000\u00a0m")
 
 
 def test_the_scale_of_colours_is_in_feet_and_metric_in_files(

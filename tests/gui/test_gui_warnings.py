@@ -258,8 +258,8 @@ def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
 
 def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
     picked.window.safekeeping._cannot_keep(OSError("The disk is full"))
-    (found,) = [each for each in listed(picked) if each.code == "window.unsaved_work_not_kept"]
-    assert found.params["reason"] == "The disk is full"
+    (found,) = [each for each in listed(picked) if each.code == "project.storage"]
+    assert "The disk is full" in message_text(found)
     assert found.level is Level.WARNING
 
 
