@@ -138,7 +138,7 @@ def test_what_cannot_be_added_is_said_in_the_dialogue(
     short.window.actions_["add_lines"].trigger()
     short.bot.waitUntil(lambda: len(told) == 3, timeout=WAIT_MS)
     name = shorter.lines[0].name
-    assert f"This is the line {name} of the project already." in told[0]
+    assert f"this file is already line {name} of the project." in told[0]
     assert "late.laz" in told[1]
     assert "trajectory" in told[1]
     assert told[2].startswith("Add the scan files of the lines")

@@ -71,7 +71,9 @@ def test_a_split_can_be_taken_back(survey: Path, dialog: ImportDialog, qtbot: Qt
     ]
     qtbot.mouseClick(split, Left)
     rest(qtbot, dialog)
-    (back,) = [each for each in dialog.file_page.remarks.buttons if each.text() == "One line"]
+    (back,) = [
+        each for each in dialog.file_page.remarks.buttons if each.text() == "Keep as one line"
+    ]
     qtbot.mouseClick(back, Left)
     rest(qtbot, dialog)
     assert [line.name for line in dialog.intake.sources()] == ["L9"]
