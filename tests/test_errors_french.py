@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from lispac.reverse_translation.translation import Translator
-from tests.bad_files import REFUSED
+from tests.bad_files import DOUBTED, REFUSED
 from tests.said import FRENCH, covered
 from tests.test_bad_input import rows
 from tests.told import PLACE, progress_texts, told
@@ -154,6 +154,13 @@ def test_what_is_not_said_is_there_and_not_translated() -> None:
     assert {text for text in UNSAID if text not in there or covered(text)} == set()
 
 
+SENTENCES = {
+    "Line partly outside the trajectory",
+    "Wrong coordinate system asked for: meant for another part of the world",
+}
+"""Rows of what is doubted that are no typed messages yet."""
+
+
 @pytest.mark.parametrize("folder", ["", "/home/anne/St. Malo/quay, east/", "C:\\Levés\\quai\\"])
 def test_what_is_said_of_bad_input_is_said_in_french_whole(folder: str) -> None:
     """The sentences of the manual's table are those of the program: `test_bad_input`.
@@ -164,7 +171,7 @@ def test_what_is_said_of_bad_input_is_said_in_french_whole(folder: str) -> None:
         say = Translator(FRENCH, spoken_numbers=True)
         placed = re.sub(r"^(?=[\w/]+(\.\w+)[:,] )", lambda _: folder, english)
         said = say(placed)
-        if name in REFUSED and say.unknown:
+        if say.unknown and name in {*REFUSED, *DOUBTED} - SENTENCES:
             continue
         assert say.unknown == ()
         assert said != placed
