@@ -6,14 +6,15 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.message_texts import note_text
+from lispac.messages import Message
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.time_base import GPS_EPOCH, WEEK
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project
+from lispac.workflow.survey import Survey
 from tests.command_errors import codes_of
-from tests.intake_files import LEVER, START, fan, said, taken_in, write_line
+from tests.intake_files import LEVER, START, fan, named, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"
@@ -35,12 +36,18 @@ def test_gaps_are_told_from_the_ends_for_lines_on_the_map_too(tmp_path: Path) ->
     times = START + np.linspace(5, 45, 4001)
     line = write_line(tmp_path / "utm.las", times, place + fan(4001), SYSTEM)
     _, survey = made(tmp_path / "p", tmp_path / "gap.sbet", line)
-    note = next(each for each in map(note_text, survey.notes) if "are left out" in each)
+    note = next(n for n in survey.notes if isinstance(n, str) and "are left out" in n)
     end = float(records[-1, 0])
     assert f"{(times > end).sum():,} points outside the trajectory's time" in note
     assert "points in a gap of the trajectory longer than 1.5 s, of 4,001, are left out" in note
     opens, closes = time[time < 10].max() + START, time[time > 14].min() + START
     assert f"and {((times > opens) & (times < closes)).sum():,} points in a gap" in note
+
+
+def too_short_of(survey: Survey) -> list[Message]:
+    """Messages that the accuracies do not cover the whole trajectory."""
+    messages = [each for each in survey.notes if isinstance(each, Message)]
+    return [each for each in messages if each.code == "import.accuracy_too_short"]
 
 
 def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> None:
@@ -50,16 +57,16 @@ def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> N
     write_records(tmp_path / "half.out", accuracy[:21])
     write_records(tmp_path / "whole.out", accuracy)
     line = write_line(tmp_path / "L.las", START + np.linspace(5, 30, 3000))
-    told = "the first and last values are used"
     track = tmp_path / "pos.sbet"
     _, survey = made(tmp_path / "p", track, line, accuracy=tmp_path / "half.out")
-    notes = " ".join(map(note_text, survey.notes))
-    assert "486,000.0" in notes
-    assert "486,020.0" in notes
-    assert told in notes
-    assert told in said(taken_in(Intake(), track, tmp_path / "half.out"), "half.out")
+    (too_short,) = too_short_of(survey)
+    assert too_short.params["file"] == "half.out"
+    assert (too_short.params["first"], too_short.params["last"]) == (START, START + 20)
+    assert too_short in (intake := taken_in(Intake(), track, tmp_path / "half.out")).remarks(
+        named(intake, "half.out")
+    )
     _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")
-    assert told not in " ".join(map(note_text, survey.notes))
+    assert too_short_of(survey) == []
 
 
 def test_a_base_that_the_values_suggested_is_said_to_be_that(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from lispac.gui.dialogs.import_files.dialog import MOUNTING, TIMELINE, ImportDia
 from lispac.gui.dialogs.import_files.file_table import ROLE, STATE
 from lispac.gui.dialogs.import_files.timeline import bars_of
 from lispac.gui.settings import AppSettings
-from lispac.workflow.intake_remarks import Remedy
+from lispac.messages import Action
 from lispac.workflow.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts
 from tests.gui.support import WAIT_MS, Demo, Key, Left
@@ -24,7 +24,7 @@ from tests.gui.support import WAIT_MS, Demo, Key, Left
 def test_an_empty_dialogue_says_what_to_bring(dialog: ImportDialog) -> None:
     assert dialog.empty.isVisible()
     assert not dialog.ok.isEnabled()
-    assert dialog.reason.text().startswith("Add the survey's files")
+    assert dialog.reason.text().startswith("Add the files of the survey")
 
 
 def test_dropped_files_become_a_project(
@@ -39,7 +39,7 @@ def test_dropped_files_become_a_project(
     filled.folder.selectAll()
     qtbot.keyClicks(filled.folder, str(demo.project.folder))
     assert not filled.ok.isEnabled()
-    assert "project in this folder already" in filled.reason.text()
+    assert "already contains a project" in filled.reason.text()
     filled.folder.selectAll()
     qtbot.keyClicks(filled.folder, str(tmp_path / "made"))
 
@@ -73,8 +73,8 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     dialog.table.selectRow(1)
     shown = [label.text() for label in dialog.file_page.remarks.findChildren(QWidget)
              if hasattr(label, "text")]  # fmt: skip
-    assert any(text.startswith("The format of this file is not recognised") for text in shown)
-    assert "is the trajectory yet" in dialog.reason.text()
+    assert any("the format of this file is not recognised" in text for text in shown)
+    assert "The trajectory is missing" in dialog.reason.text()
 
 
 def test_looking_can_be_stopped_and_taken_up_again(
@@ -129,7 +129,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     qtbot.mouseClick(first, Left)
     rest(qtbot, dialog)
     assert dialog.intake.entry(late[0]).shift == pytest.approx(86_400)
-    dialog.work.edit(dialog.intake.with_remedy(late[0], Remedy("", shift=0.0)))
+    dialog.work.edit(dialog.intake.with_action(late[0], Action("clear_shift")))
     qtbot.mouseClick(dialog.timeline.all, Left)
     rest(qtbot, dialog)
     assert dialog.ok.isEnabled(), dialog.reason.text()
@@ -153,7 +153,7 @@ def test_a_line_is_left_out_by_its_button_and_the_timeline_goes_by_keys(
     assert "after" in view.accessibleDescription() or "outside" in view.accessibleDescription()
     for left_out in (other, far):  # the last button is the last line's
         button = dialog.timeline.remarks.buttons[-1]
-        assert button.text() == "Leave it out"
+        assert button.text() == "Leave the file out"
         qtbot.mouseClick(button, Left)
         rest(qtbot, dialog)
         assert dialog.intake.entry(left_out).role is None
@@ -182,7 +182,10 @@ def test_columns_are_chosen_over_the_preview_and_remembered(
     drop(dialog, [demo.project.trajectory, text])
     rest(qtbot, dialog)
     dialog.table.selectRow(1)
-    assert "No column is the time, x, y or z yet" in dialog.reason.text()
+    assert (
+        "no column is assigned to time, X coordinate, Y coordinate and Z coordinate"
+        in dialog.reason.text()
+    )
     for column, letter in enumerate("txyz"):
         combo = dialog.file_page.preview.combos[column]
         combo.setFocus()
@@ -220,7 +223,7 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     dialog.table.selectRow(1)
     rest(qtbot, dialog)
     button = dialog.file_page.remarks.buttons[0]
-    assert button.text() == "State the coordinate system"
+    assert button.text() == "Choose the coordinate system"
     qtbot.mouseClick(button, Left)
     field = dialog.file_page.options.fields["crs"]
     assert field.hasFocus()
