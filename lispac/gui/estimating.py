@@ -245,8 +245,8 @@ class Estimating(QObject):
                 text,
                 count=result.points,
                 elapsed=result.elapsed,
-                before=units.quantity(1000 * result.rms_before, "mm", 1),
-                after=units.quantity(1000 * result.rms_after, "mm", 1),
+                before=units.local_amount(1000 * result.rms_before, "mm", ".1f"),
+                after=units.local_amount(1000 * result.rms_after, "mm", ".1f"),
             )
         )
 

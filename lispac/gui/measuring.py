@@ -84,12 +84,12 @@ class Measuring(QObject):
 def distance_text(first: Array, second: Array) -> str:
     """A distance and its components, one on each line."""
     found = measuring.distance(first, second)
-    vertical = units.quantity(found.vertical, "m", 3, sign=True).replace("-", "\N{MINUS SIGN}")
+    vertical = units.local_amount(found.vertical, "m", "+.3f")
     return gettext(
         "Slope distance {slope}\nHorizontal {horizontal}\nVertical {vertical}\n"
         "Azimuth {azimuth:deg.2}°",
-        slope=units.quantity(found.slope, "m", 3),
-        horizontal=units.quantity(found.horizontal, "m", 3),
+        slope=units.local_amount(found.slope, "m", ".3f"),
+        horizontal=units.local_amount(found.horizontal, "m", ".3f"),
         vertical=vertical,
         azimuth=found.azimuth,
     )
@@ -98,7 +98,7 @@ def distance_text(first: Array, second: Array) -> str:
 def angle_text(first: Array, vertex: Array, second: Array) -> str:
     """An angle and the lengths of its sides, one on each line."""
     sides = [measuring.distance(vertex, end).slope for end in (first, second)]
-    one, other = (units.quantity(each, "m", 3) for each in sides)
+    one, other = (units.local_amount(each, "m", ".3f") for each in sides)
     return gettext(
         "Angle {angle:deg.2}°\nSides {first} and {second}",
         angle=measuring.angle(first, vertex, second),

@@ -260,7 +260,7 @@ class Patching(QObject):
                 gettext(
                     "Smallest mismatch for {angle} alone: {value}",
                     angle=gettext(ANGLE_NAMES[angle]),
-                    value=units.quantity(degrees, "°", 4, sign=True),
+                    value=units.local_amount(degrees, "°", "+.4f"),
                 )
             )
             self._follow()

@@ -135,18 +135,6 @@ def local_amount(value: float, base: Base, form: str) -> str:
     return f"{local_figure(value, base, form)}{blank}{sign}"
 
 
-def quantity(value: float, base: Base, usual: int, *, sign: bool = False) -> str:
-    """A value with its unit, as the language of the window writes both.
-
-    Parameters
-    ----------
-    value : in the base
-    usual : decimals in the base
-    sign : whether a positive value has one
-    """
-    return local_amount(value, base, f"{'+' if sign else ''}.{usual}f")
-
-
 def limit(value: float, base: Base) -> str:
     """The end of a range, to four digits where it is converted."""
     shown = float(f"{value * _used[base].factor:.4g}") if differs(base) else value

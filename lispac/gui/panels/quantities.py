@@ -19,8 +19,7 @@ def figure(value: float, base: Base, decimals: int, *, sign: bool = False) -> st
     decimals : int
         In the base; in another unit their number follows the unit.
     """
-    shown = value * units.unit(base).factor
-    return signed(shown, units.decimals(decimals, base), sign=sign)
+    return units.local_figure(value, base, f"{'+' if sign else ''}.{decimals}f")
 
 
 def amount(value: float, base: Base, decimals: int, *, sign: bool = False) -> str:
@@ -30,7 +29,7 @@ def amount(value: float, base: Base, decimals: int, *, sign: bool = False) -> st
 
 def unit_suffix(base: Base) -> str:
     """Sign of a unit with the space before it."""
-    shown = units.unit(base).sign
+    shown = units.local_sign(base)
     return shown if shown in _ANGLE_SIGNS else f"\N{NO-BREAK SPACE}{shown}"
 
 
