@@ -1,5 +1,7 @@
 """A line on disk answers as the same line in memory does."""
 
+import shutil
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -28,15 +30,20 @@ from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
 
+def copied(lines: Sequence[LineSource], folder: Path) -> tuple[LineSource, ...]:
+    """Lines with copies of their files, which a test may move; other processes read the files."""
+    return tuple(replace(line, path=Path(shutil.copy(line.path, folder))) for line in lines)
+
+
 @pytest.fixture(scope="module")
 def project(
     calibrated: tuple[Project, Survey], tmp_path_factory: pytest.TempPathFactory
 ) -> Project:
     """The built-in survey once more, with its picks, all lines imported."""
-    source, folder = calibrated[0], tmp_path_factory.mktemp("disk") / "project"
+    source, folder = calibrated[0], tmp_path_factory.mktemp("disk")
     created = create_project(
-        folder, trajectory=source.trajectory, lines=source.lines, accuracy=source.accuracy,
-        settings=source.settings,
+        folder / "project", trajectory=source.trajectory, lines=copied(source.lines, folder),
+        accuracy=source.accuracy, settings=source.settings,
     )  # fmt: skip
     import_lines(created)
     return replace(created, targets=source.targets)
@@ -172,7 +179,7 @@ def test_large_line_is_imported_when_the_project_is_opened(
 ) -> None:
     source = calibrated[0]
     project = create_project(
-        tmp_path / "p", trajectory=source.trajectory, lines=source.lines[:2],
+        tmp_path / "p", trajectory=source.trajectory, lines=copied(source.lines[:2], tmp_path),
         settings=source.settings,
     )  # fmt: skip
     assert isinstance(load_survey(project).clouds[project.lines[0].name], CloudInMemory)

@@ -90,7 +90,7 @@ def killed(code: str, argument: Path, seconds: float | None) -> float:
             time.sleep(seconds)
             process.send_signal(signal.SIGKILL)
             process.stdout.read()
-        process.wait()
+        assert process.wait() == 0 or seconds is not None
         return time.monotonic() - start
 
 
@@ -198,7 +198,7 @@ def command_killed(words: list[str], seconds: float | None) -> float:
             time.sleep(seconds)
             process.send_signal(signal.SIGKILL)
         process.stdout.read()
-        process.wait()
+        assert process.wait() == 0 or seconds is not None
         return time.monotonic() - start
 
 
