@@ -1,6 +1,6 @@
 """Do the stated sigmas hold where the model of errors does not? Many surveys with known truth.
 
-    python -m tests.coverage_of_errors [SURVEYS]
+    python -m tests.coverage_of_errors [SURVEYS] [KIND ...]
 
 prints a row a kind of error: the share of 95 % intervals that hold, for each angle, with the sigmas
 that the model foresees and as they are stated; the share of surveys with a serious warning; and the
@@ -186,7 +186,7 @@ def main() -> None:
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
     print(f"{surveys} surveys a row; roll, pitch, yaw; per cent")
     print(f"{'error':16s} {'formal':18s}  {'stated':18s}  {'raised':18s} serious  without one")
-    for kind in KINDS:
+    for kind in sys.argv[2:] or KINDS:
         print(row(kind, study(kind, surveys)), flush=True)
 
 

@@ -1,6 +1,6 @@
 """Warnings about sightings, lines and targets: contradictions, outliers, noise."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from lispac.adjustment.critical import critical_w, rarely_more
 from lispac.adjustment.message_parts import at
@@ -9,6 +9,7 @@ from lispac.adjustment.result import (
     AdjustmentResult,
     CrossChecks,
     SightingReliability,
+    TargetResidual,
 )
 from lispac.adjustment.shown import UNCHECKED, standing
 from lispac.causes import Cause
@@ -16,6 +17,9 @@ from lispac.messages import Message, note, shortened, warning
 
 MUCH_NOISE = 2.0
 """Factor on the stated LiDAR noise that is no matter of a few tenths of a millimetre any more."""
+
+FORM_AS_NOISE = 2**0.5
+"""Factor from which form errors have a larger variance than the LiDAR noise."""
 
 ANOTHER_SURFACE = 30.0
 """Factor that no rough ground reaches; that has half of it at most."""
@@ -120,9 +124,25 @@ def noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     seen = result.observability
     # With such lines the cross-checks, which enlarge the sigmas elsewhere, show nothing of it.
     too_few = seen is not None and any(each.kind == "line" for each in seen.unchecked)
-    make, code = (warning, "adjustment.not_flat") if too_few else (note, "adjustment.noise")
-    yield make(
+    bent = [t for t in rough if too_few and form_factor(t) > FORM_AS_NOISE]
+    if bent:
+        yield _of_noise(warning, "adjustment.not_flat", bent, form_factor)
+    if others := [t for t in rough if t not in bent]:
+        yield _of_noise(note, "adjustment.noise", others, lambda target: target.noise)
+
+
+def form_factor(target: TargetResidual) -> float:
+    """Noise that form errors explain, over the stated one; of earlier results, all noise."""
+    return target.noise if target.noise_of_form is None else target.noise_of_form
+
+
+def _of_noise(
+    make: Callable[..., Message], code: str, targets: Sequence[TargetResidual],
+    factor_of: Callable[[TargetResidual], float],
+) -> Message:  # fmt: skip
+    worst = max(targets, key=factor_of)
+    return make(
         code,
-        count=len(rough), targets=shortened([t.target for t in rough]),
-        factor=float(rough[0].noise), subject=Cause.of_target(rough[0].target),
+        count=len(targets), targets=shortened([t.target for t in targets]),
+        factor=float(factor_of(worst)), subject=Cause.of_target(worst.target),
     )  # fmt: skip

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.robust import robust_scale
 from lispac.adjustment.shapes import points_local
+from lispac.geometry.planes import fit_plane, in_plane_axes
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -21,6 +22,9 @@ SIDE = 4
 
 FAR = 3.0
 """Standardised residuals beyond this are strays; they say nothing of the others."""
+
+CERTAIN = 2.0
+"""Standard deviations by which a covariance between lines is more than chance explains."""
 
 ASTRAY = 3.0
 """Spreads of a target's residuals by which only another surface, or a gross error of the position,
@@ -89,6 +93,86 @@ def noise_factors(
         effect = 1 + denser * (_design_effect(told, blocks[mine]) - 1)
         factors[k] = size * np.sqrt(effect)
     return factors
+
+
+def noise_of_form(
+    observations: Observations, mounting: Mounting, residuals: Array, targets: NDArray[np.bool_]
+) -> Array:
+    """Noise that form errors of planes explain, over the stated one, at least 1.
+
+    A form error is the same in every line; a POS error that the adjustment left in the residuals,
+    where it may look like one, is not. Its variance is therefore the covariance between lines of
+    the mean residuals in blocks of the surface, with a plane of its own removed from each line.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        Estimated mounting.
+    residuals : ndarray of shape (n,)
+        As in `noise_factors`.
+    targets : ndarray of shape (targets,), bool
+        Planes that are examined.
+
+    Returns
+    -------
+    ndarray of shape (targets,)
+        As `noise_factors` gives it; NaN of the targets that are not examined.
+    """
+    factors = np.full(len(observations.targets), np.nan)
+    if not targets.any():
+        return factors
+    points = points_local(observations, mounting)
+    for k in np.flatnonzero(targets):
+        sightings = np.flatnonzero(observations.target_of_sighting == k)
+        parts = [np.flatnonzero(observations.sighting == s) for s in sightings]
+        rows = np.concatenate(parts)
+        place = points[rows] @ in_plane_axes(fit_plane(points[rows]).normal).T
+        size = robust_scale(residuals[rows])
+        line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
+        own = np.clip(residuals[rows], -FAR * size, FAR * size)
+        for each in range(len(parts)):
+            own[line == each] = _without_plane(place[line == each], own[line == each])
+        size = robust_scale(own)
+        shape = len(parts), SIDE**2
+        index = line * SIDE**2 + _blocks_of_surface(place)
+        counts = np.bincount(index, minlength=shape[0] * shape[1]).reshape(shape)
+        sums = np.bincount(index, own, shape[0] * shape[1]).astype(float).reshape(shape)
+        factors[k] = _form_factor(counts, sums, size)
+    return factors
+
+
+def _without_plane(place: Array, residuals: Array) -> Array:
+    """Residuals (n,) less the plane that fits them best; ``place`` of shape (n, 2), metres."""
+    design = np.column_stack([np.ones(len(place)), place - place.mean(axis=0)])
+    return np.asarray(residuals - design @ np.linalg.lstsq(design, residuals, rcond=None)[0])
+
+
+def _blocks_of_surface(place: Array) -> NDArray[np.int64]:
+    """Block of each point (n,) of one plane, the same blocks for all lines."""
+    lowest, highest = np.percentile(place, [1, 99], axis=0)
+    row, column = np.clip(SIDE * (place - lowest) / (highest - lowest), 0, SIDE - 1).T.astype(int)
+    return np.asarray(SIDE * row + column, dtype=np.int64)
+
+
+def _form_factor(counts: NDArray[np.int64], sums: Array, size: float) -> float:
+    """Noise with the covariance between lines of the means in blocks.
+
+    Parameters
+    ----------
+    counts : ndarray of shape (lines, blocks), int
+        Points.
+    sums : ndarray of shape (lines, blocks)
+        Of their residuals over their standard deviations.
+    size : float
+        Spread of the residuals.
+    """
+    first, second = np.triu_indices(len(counts), 1)
+    products = sums[first] * sums[second]
+    pairs = float((counts[first] * counts[second]).sum())
+    if not pairs or products.sum() <= CERTAIN * np.sqrt((products**2).sum()):
+        return size
+    points_of_block = float((counts**2).sum() / counts.sum())
+    return float(np.sqrt(size**2 + points_of_block * products.sum() / pairs))
 
 
 def astray(observations: Observations, residuals: Array) -> NDArray[np.int64]:

@@ -117,6 +117,9 @@ class TargetResidual:
     noise : float
         Noise found in the residuals over the stated one, at least 1, with what neighbouring points
         have in common; the sigmas of the angles are computed with it (correlated model).
+    noise_of_form : float or None
+        Noise that form errors of the surface explain, over the stated one, at least 1; of planes
+        with more than the stated noise only.
     """
 
     target: str
@@ -126,6 +129,7 @@ class TargetResidual:
     plane: Annotated[Array, Shape(4)]
     sphere: bool = False
     noise: float = 1.0
+    noise_of_form: float | None = None
 
 
 @dataclass(frozen=True)

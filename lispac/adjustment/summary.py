@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.candidate_causes import candidate_causes
 from lispac.adjustment.conditions import misclosures
+from lispac.adjustment.noise import noise_of_form
 from lispac.adjustment.observability import observability
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.omitted import contradictions
@@ -69,7 +70,7 @@ def summary(
     targets, sightings, rms = _residuals(
         observations, misclosures(observations, problem.prior, fitted), after,
         counted_from(state.shapes, -origins, observations.is_sphere),
-        problem.noise,
+        problem.noise, _noise_of_form(problem, state, standardised),
     )  # fmt: skip
     estimates = _estimates(problem, state, normal.covariance, held)
     shown = [0, 1, 2, *(CALIBRATION.index(e.name) for e in estimates if e.value is not None)]
@@ -153,8 +154,19 @@ def _significance(change: float, sigma: float) -> float:
     return float(change / sigma) if sigma > 0 else 0.0
 
 
+def _noise_of_form(problem: Problem, state: State, standardised: Array) -> Array:
+    """`noise_of_form` of planes with more than the stated noise, NaN of others."""
+    of_interest = (problem.noise > 1) & ~problem.observations.is_sphere
+    return noise_of_form(problem.observations, state.mounting, standardised, of_interest)
+
+
 def _residuals(
-    observations: Observations, before: Array, after: Array, shapes: Array, noise: Array
+    observations: Observations,
+    before: Array,
+    after: Array,
+    shapes: Array,
+    noise: Array,
+    of_form: Array,
 ) -> tuple[tuple[TargetResidual, ...], tuple[SightingResidual, ...], tuple[float, float]]:
     squares = observations.mean_by_sighting(np.stack([before**2, after**2], axis=1))
     means = observations.mean_by_sighting(after)
@@ -173,6 +185,7 @@ def _residuals(
             TargetResidual(
                 name, int(counts.sum()), float(b), float(a), shapes[k],
                 bool(observations.is_sphere[k]), float(noise[k]),
+                None if np.isnan(of_form[k]) else float(of_form[k]),
             )
         )  # fmt: skip
     both = np.sqrt(observations.counts @ squares / len(observations))
