@@ -6,6 +6,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
+from lispac.adjustment.doubts import doubts
 from lispac.errors import TargetNotFound
 from lispac.workflow.calibration import estimate
 from lispac.workflow.proposing import UNCHECKED, propose
@@ -55,6 +56,22 @@ def test_targets_that_do_not_check_each_other_are_named() -> None:
     codes = [warning.code for warning in proposal.warnings]
     assert UNCHECKED & set(codes)
     assert codes[-1] == "targets.proposal_unchecked"
+
+
+@pytest.mark.parametrize(("scene", "bent"), [(64, ()), (73, ("T1", "T3"))])
+def test_only_true_form_errors_are_called_so(scene: int, bent: tuple[str, ...]) -> None:
+    """Two lines each; in the first one the POS errors make a flat target look bent."""
+    project, survey = opened(
+        natural_site(scene), np.random.default_rng([35, scene]).normal(0, 1.0, 3)
+    )
+    solved = estimate(replace(project, targets=propose(project, survey).targets), survey)
+    assert solved.result is not None
+    assert any(target.noise > 2 for target in solved.result.targets)
+    found = [
+        message for message in doubts(solved.result, solved.cross_checks)
+        if message.code == "adjustment.not_flat"
+    ]  # fmt: skip
+    assert [message.params["targets"] for message in found] == ([bent] if bent else [])
 
 
 @pytest.mark.long
