@@ -212,6 +212,16 @@ def short_date(day: date) -> str:
     return format_date(day, "short", locale=_LOCALES[current_language()])
 
 
+def duration_text(seconds: float) -> str:
+    """A duration: ``3 s``, ``2 min 10 s``, ``1 h 05 min``."""
+    whole = max(1, round(seconds))
+    if whole < 60:
+        return f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
 class TextFormatter(Formatter):
     """Formats SI values in the units that a surveyor reads, by the specifications above."""
 

@@ -18,6 +18,7 @@ from lispac.io.points import system_of
 from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
 from lispac.messages import Level
+from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.mapping import PointMapper
@@ -215,7 +216,7 @@ def test_the_raw_files_are_not_written_over(project: Project, tmp_path: Path) ->
 def test_cancel_leaves_nothing(project: Project, tmp_path: Path, when: int) -> None:
     calls = 0
 
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         nonlocal calls
         calls += 1
         if calls > when:

@@ -15,6 +15,7 @@ from lispac.design.scenarios import (
     thesis_setting,
 )
 from lispac.errors import Cancelled
+from lispac.progress import Step
 
 
 @cache
@@ -141,7 +142,7 @@ def test_some_scenarios_and_cancelling() -> None:
     assert told == ["Scenario: size", "Scenarios done"]
     assert {each.scenario for each in everything()} == set(SCENARIOS)
 
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):

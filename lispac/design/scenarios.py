@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.stochastic import PosErrors
 from lispac.design.plan import SIX, Plan, System, pattern
 from lispac.design.prediction import predict
-from lispac.language import N_
+from lispac.language import N_, gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.simulation.closed_form import Board
 from lispac.simulation.pos_errors import PosErrorModel
@@ -211,7 +211,7 @@ def outcomes(
     """
     found = []
     for k, scenario in enumerate(scenarios):
-        progress(k / len(scenarios), f"Scenario: {scenario}")
+        progress(k / len(scenarios), gettext_lazy("Scenario: {scenario}", scenario=scenario))
         base = plan
         if scenario in OF_THE_THESIS:
             base = replace(thesis_setting(), system=plan.system, flatness=plan.flatness)
@@ -220,5 +220,5 @@ def outcomes(
                 told = predict(replace(changed, system=replace(changed.system, pos_errors=errors)))
                 points = sum(told.points.values())
                 found.append(Outcome(scenario, case, errors, told.sigma, points))
-    progress(1.0, "Scenarios done")
+    progress(1.0)
     return tuple(found)

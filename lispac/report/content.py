@@ -16,7 +16,7 @@ from lispac.adjustment.observability import one_facing
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
-from lispac.language import N_
+from lispac.language import N_, gettext_lazy
 from lispac.messages import Message
 from lispac.methods import answers, sentences
 from lispac.progress import Progress, no_progress, part
@@ -175,7 +175,10 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
             while block := stream.read(1 << 22):
                 digest.update(block)
                 done += len(block)
-                progress(min(1.0, done / size), f"Reading {path.name} for its digest")
+                progress(
+                    min(1.0, done / size),
+                    gettext_lazy("Reading {file} for its digest", file=path.name),
+                )
     except OSError:
         # The report says so in a warning; what was computed still stands.
         return InputFile(role, printable(path.name), None, None)

@@ -18,13 +18,13 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.las_export import Cloud, Pattern, cloud_file
 from lispac.io.registry import PointChunk
+from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.progress import Progress, no_progress
+from lispac.progress import Pace, Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
 from lispac.survey.screening import MOST_RANGE, within_range
 from lispac.survey.source import USUAL, Reading
-from lispac.survey.store.pace import Pace
 
 Array = NDArray[np.float64]
 
@@ -127,7 +127,7 @@ def write_cloud(
         raise InputError(error("export.no_points", line=path.stem))
     chosen = pattern(first)
     place = _Placing(mapping, reading, recovery, most_range)
-    pace, total = Pace(f"Writing {path.name}", first.total), first.total
+    pace, total = Pace(gettext_lazy("Writing {file}", file=path.name), first.total), first.total
     outside = in_gaps = excluded = 0
     with cloud_file(
         temporary,
@@ -150,7 +150,7 @@ def write_cloud(
             excluded += done.excluded
             count = cloud.count + outside + in_gaps + excluded
             # A text file does not say how many points are to come.
-            progress(min(count / total, 1.0) if total else 0.5, pace.words(count))
+            progress(min(count / total, 1.0) if total else 0.5, pace.step(count))
 
         try:
             chunk: PointChunk | None = first

@@ -13,6 +13,7 @@ from lispac.io.files import require_file, written_whole
 from lispac.io.las_export import Pattern, pattern_of_las
 from lispac.io.points import CHUNK
 from lispac.io.registry import PointChunk
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
@@ -96,7 +97,7 @@ def georeference_project(
             for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
                 start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
                 step = part(progress, start, stop)
-                step(0.0, f"Writing {path.name}")
+                step(0.0, gettext_lazy("Writing {file}", file=path.name))
                 own = stores.get(chunks.line.name)
                 recovery = None
                 if chunks.system is not None and own is None:
@@ -117,7 +118,7 @@ def georeference_project(
                 if chunks.line.name in gone:
                     notes += (_said_of_gone(chunks.line.name, gone[chunks.line.name]),)
                 written.append(replace(done, notes=notes))
-            progress(1.0, "Lines written")
+            progress(1.0)
     except BaseException:
         for folder in made:
             if folder.is_dir() and not any(folder.iterdir()):

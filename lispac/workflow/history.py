@@ -10,6 +10,7 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
@@ -127,7 +128,7 @@ def histories(
     excluded: list[Message | str] = []
     projects = list(open_ones.values())
     for k, path in enumerate(paths):
-        progress(k / len(paths), f"Reading {path.name}")
+        progress(k / len(paths), gettext_lazy("Reading {file}", file=path.name))
         try:
             projects.append(open_project(path))
         except LispacError as failure:
@@ -163,7 +164,7 @@ def histories(
             groups.append(group := [])
         group.append(each)
     found = sorted((_history(group) for group in groups), key=lambda each: -len(each.entries))
-    progress(1.0, f"{len(known)} calibrations of {len(found)} systems")
+    progress(1.0)
     remarks = tuple(message_text(note("history.excluded", reason=each)) for each in excluded)
     return tuple(found), remarks
 

@@ -10,6 +10,7 @@ from zlib import crc32
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.project_file import FILE_NAME, SIGHTINGS, write_project
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
@@ -195,7 +196,7 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
         with source, place.open("xb") as copy:
             then = os.fstat(source.fileno())  # its name may be gone at the end
             while piece := source.read(PIECE):
-                progress(min(done / total, 1.0), f"Copying {stored.name}")
+                progress(min(done / total, 1.0), gettext_lazy("Copying {line}", line=stored.name))
                 copy.write(piece)
                 found = crc32(piece, found)
                 done += len(piece)

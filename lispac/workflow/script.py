@@ -18,6 +18,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError
 from lispac.io.files import written_whole
 from lispac.io.values import encoded
+from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.source import USUAL
@@ -66,7 +67,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     picked, count = [], len(project.targets)
     for k, target in enumerate(project.targets):
         step = part(progress, 0.6 * k / count, 0.6 * (k + 1) / count)
-        step(0.0, f"Trying the seed of {target.name}")
+        step(0.0, gettext_lazy("Checking the seed of {target}", target=target.name))
         picked += list(steps_to(project, survey, target, step))
     blocks.append(picked)
     remarks = _gone(project)
@@ -86,7 +87,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         call("project.report", Code(f"folder / {f'{name}.json'!r}")),
         call("project.report", Code(f"folder / {f'{name}.pdf'!r}")),
     ])  # fmt: skip
-    progress(1.0, "Script made")
+    progress(1.0)
     steps = "\n\n".join("\n".join(block) for block in blocks if block)
     return Script(f"{_head(project, files, remarks)}\n{steps}\n", tuple(remarks))
 
