@@ -15,6 +15,36 @@ TEXTS: Mapping[str, Template] = {
         "({first:s.3} to {last:s.3} s) has no states or a gap. Give start_s and stop_s within it, "
         "in its own time."
     ),
+    # -- further line ------------------------------------------------------------------------------
+    "further_line.port": N_(
+        "A further line at heading {heading:deg.0} deg, with the centre of the targets "
+        "{distance:m.1} m to port, would lower the sigma of {angle} from {now:deg.3} to "
+        "{then:deg.3} deg."
+    ),
+    "further_line.starboard": N_(
+        "A further line at heading {heading:deg.0} deg, with the centre of the targets "
+        "{distance:m.1} m to starboard, would lower the sigma of {angle} from {now:deg.3} to "
+        "{then:deg.3} deg."
+    ),
+    "further_line.port_of_face": N_(
+        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
+        "with the centre of the targets {distance:m.1} m to port, would lower the sigma of {angle} "
+        "from {now:deg.3} to {then:deg.3} deg."
+    ),
+    "further_line.starboard_of_face": N_(
+        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
+        "with the centre of the targets {distance:m.1} m to starboard, would lower the sigma of "
+        "{angle} from {now:deg.3} to {then:deg.3} deg."
+    ),
+    "further_line.insufficient": N_(
+        "No single further line past these targets, {distance:m.1} m from their centre, would "
+        "lower the sigma of {angle} from {now:deg.3} below {limit:deg.3} deg. Add targets "
+        "elsewhere, or repeat the survey later, when the POS error is different."
+    ),
+    "further_line.prior": N_(
+        "The sigma of {angle} is mostly that of the given {parameters:names}; no further line "
+        "lowers it."
+    ),
     # -- survey design -----------------------------------------------------------------------------
     "design.undetermined": N_(
         "This plan does not determine the boresight. Add lines in other directions."
@@ -49,6 +79,7 @@ TEXTS: Mapping[str, Template] = {
     "design.lines_too_close": N_(
         "No heading and distance keep {closest:m} m from the wall. Allow others."
     ),
+    "plan.empty": N_("Add a target and at least two lines."),
     "plan.line_through_wall": N_(
         "Line {line:n} runs through the wall, up to {distance:m.1} m behind it. Move it farther "
         "from the wall or change its heading."

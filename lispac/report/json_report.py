@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from lispac.installed import resource
+from lispac.language import LazyText, in_english
 from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Message, plain_params
@@ -43,9 +44,11 @@ def json_text(content: ReportContent) -> str:
 
 
 def _in_english(value: Any) -> Any:
-    """Values with the English text of each message among them."""
+    """Values with the English texts of messages and labels among them."""
     if isinstance(value, Message):
         return english_text(value)
+    if isinstance(value, LazyText):
+        return in_english(value)
     if is_dataclass(value) and not isinstance(value, type):
         held = ((each.name, getattr(value, each.name)) for each in fields(value))
         return replace(value, **{name: _in_english(each) for name, each in held})

@@ -5,10 +5,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import TypeVar
 
-from lispac.adjustment.shown import capitalised
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
-from lispac.report.convention_values import InConvention
 from lispac.report.opinion_values import MethodAnswer
 from lispac.report.values import Adjustment, CrossChecked, ReportContent
 from lispac.report.wording import MINUS
@@ -18,9 +16,6 @@ from lispac.reverse_translation.translation import Translator
 
 HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
 """A hyphen before a number."""
-FACTORS = " · "
-"""Between the rotations of a formula."""
-
 Say = Callable[[str], str]
 Part = TypeVar("Part")
 
@@ -79,11 +74,6 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
         qualities=tuple(
             replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
         ),
-        in_convention=_if_known(content.in_convention, lambda found: _convention(found, say)),
-        matrix=_if_known(
-            content.matrix,
-            lambda found: replace(found, body_axes=tuple(map(say, found.body_axes))),
-        ),
         absolute=_if_known(content.absolute, lambda found: _absolute(found, say)),
         budget=_if_known(content.budget, lambda found: _budget(found, say)),
         methods=tuple(_method(each, say) for each in content.methods),
@@ -99,7 +89,6 @@ def _adjustment(found: Adjustment, say: Say) -> Adjustment:
     seen = found.observability
     return replace(
         found,
-        rotation_in_words=say(found.rotation_in_words),
         observability=_if_known(
             seen, lambda seen: replace(seen, in_words=tuple(map(say, seen.in_words)))
         ),
@@ -111,28 +100,6 @@ def _adjustment(found: Adjustment, say: Say) -> Adjustment:
 def _cross_checks(found: CrossChecked, say: Say) -> CrossChecked:
     return replace(
         found, parts=tuple(replace(part, reason=say(part.reason)) for part in found.parts)
-    )
-
-
-def _convention(found: InConvention, say: Say) -> InConvention:
-    if not found.angles:
-        found = replace(found, formula="")  # it is a matrix only, which the section says
-    return replace(
-        found,
-        status_in_words=say(found.status_in_words),
-        source=say(found.source),
-        assumption=say(found.assumption),
-        check_first=say(found.check_first),
-        angles=tuple(
-            replace(each, name=say(capitalised(each.name)), meaning=say(each.meaning))
-            for each in found.angles
-        ),
-        note=say(found.note),
-        caution=say(found.caution),
-        formula=FACTORS.join(map(say, found.formula.replace("-", MINUS).split(FACTORS))),
-        body_axes=tuple(map(say, found.body_axes)),
-        scanner_in_words=say(found.scanner_in_words),
-        offsets_in_words=say(found.offsets_in_words),
     )
 
 

@@ -18,6 +18,7 @@ from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.language import gettext_lazy
+from lispac.message_texts import english_text
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
@@ -342,13 +343,14 @@ def check(
 
 
 def _advised(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with a sentence on the further line that would help most."""
+    """The result with remarks on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
-    if seen is None or not (said := advice(judged, result)):
+    if seen is None or not (found := advice(judged, result)):
         return result
-    return replace(result, observability=replace(seen, sentences=(*seen.sentences, said)))
+    sentences = (*seen.sentences, *map(english_text, found))
+    return replace(result, observability=replace(seen, sentences=sentences))
 
 
 def _chosen(

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog, angle_columns
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import N_, gettext, short_date
@@ -69,7 +69,6 @@ class HistoryDialog(StudyDialog):
             [each.day for each in history.entries],
             [each.charted for each in history.entries],
             self.figure(),
-            say,
         )
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(

@@ -147,7 +147,7 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_figures import error_in_words, visibility_figure
 
         found, error, criterion = self._drawn
-        visibility_figure(found, error, criterion, self.figure(), say)
+        visibility_figure(found, error, criterion, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
         self._clear_reading()
