@@ -100,7 +100,7 @@ def test_farther_is_better_for_yaw() -> None:
 
 def test_higher_is_better_for_roll_and_pitch() -> None:
     found = sigmas("height", "correlated")
-    assert (found["20 m"][:2] < found["5 m"][:2] / 2).all()
+    assert (found["20.0 m"][:2] < found["5.0 m"][:2] / 2).all()
 
 
 def test_lines_sailed_again_help_as_their_root() -> None:
@@ -113,9 +113,9 @@ def test_lines_sailed_again_help_as_their_root() -> None:
 
 def test_slower_is_more_points_and_nothing_else() -> None:
     found = sigmas("speed", "independent")
-    assert found["4 m/s"] == pytest.approx(found["1 m/s"] * 2, rel=1e-6)
+    assert found["4.0 m/s"] == pytest.approx(found["1.0 m/s"] * 2, rel=1e-6)
     honest = sigmas("speed", "correlated")
-    assert (honest["4 m/s"] < 1.06 * honest["1 m/s"]).all()
+    assert (honest["4.0 m/s"] < 1.06 * honest["1.0 m/s"]).all()
 
 
 def test_a_better_pos_is_better() -> None:

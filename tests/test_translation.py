@@ -225,7 +225,6 @@ MODULES: dict[str, set[str] | None] = {
         if path.name != "control_charts.py"
         and not path.name.startswith(("visibility_", "design_", "field_plan"))  # not in a report
     },
-    "adjustment/error_budget.py": None,
     "adjustment/shown.py": None,
     "adjustment/observability.py": None,
     "adjustment/crosscheck.py": None,

@@ -125,12 +125,13 @@ def _line_for(result: AdjustmentResult, best: FurtherLine, angle: int, *, helps:
     }  # fmt: skip
     if not helps:
         return note("further_line.insufficient", limit=WORTH_IT * now, **common)
-    side = "starboard" if best.to_starboard else "port"
     common |= {"heading": best.heading, "then": then}
     if (face := _off_face(result, best)) is None:
-        return note(f"further_line.{side}", **common)
+        code = "further_line.starboard" if best.to_starboard else "further_line.port"
+        return note(code, **common)
     target, off = face
-    return note(f"further_line.{side}_of_face", target=target, off=off, **common)
+    starboard, port = "further_line.starboard_of_face", "further_line.port_of_face"
+    return note(starboard if best.to_starboard else port, target=target, off=off, **common)
 
 
 def _ruled(observations: Observations, result: AdjustmentResult) -> tuple[list[str], ...]:

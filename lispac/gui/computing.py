@@ -9,11 +9,11 @@ from PySide6.QtCore import QObject, Signal
 from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
-from lispac.gui.language import say_message
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import N_, Plural, Template, gettext
+from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -140,7 +140,7 @@ class Computing(QObject):
                 self._document.edit(_validation_name(model), validated, **_model_params(model))
                 self.validated.emit()
                 for reason in validated.not_compared.values():
-                    self._controller.noted.emit(say_message(reason))
+                    self._controller.noted.emit(message_text(reason))
                 compared = Plural(
                     "Compared the lines on {count:n} validation plane",
                     "Compared the lines on {count:n} validation planes",

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import TypeVar
 
 from lispac.report.absolute_values import Absolute
-from lispac.report.budget_values import Budget
 from lispac.report.opinion_values import MethodAnswer
 from lispac.report.values import Adjustment, CrossChecked, ReportContent
 from lispac.report.wording import MINUS
@@ -75,7 +74,6 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
             replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
         ),
         absolute=_if_known(content.absolute, lambda found: _absolute(found, say)),
-        budget=_if_known(content.budget, lambda found: _budget(found, say)),
         methods=tuple(_method(each, say) for each in content.methods),
         methods_in_words=tuple(map(say, content.methods_in_words)),
     )
@@ -107,25 +105,6 @@ def _absolute(found: Absolute, say: Say) -> Absolute:
     return replace(
         found,
         not_compared=tuple(map(say, found.not_compared)),
-        in_words=tuple(map(say, found.in_words)),
-    )
-
-
-def _budget(found: Budget, say: Say) -> Budget:
-    return replace(
-        found,
-        beams=tuple(
-            replace(
-                each,
-                beam=say(each.beam),
-                sources=tuple(
-                    replace(source, source=say(source.source)) for source in each.sources
-                ),
-                before=replace(each.before, source=say(each.before.source)),
-                after=replace(each.after, source=say(each.after.source)),
-            )
-            for each in found.beams
-        ),
         in_words=tuple(map(say, found.in_words)),
     )
 

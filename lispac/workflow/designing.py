@@ -15,7 +15,7 @@ from lispac.design.prediction import UNDETERMINED, foretold, predict
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Design, Mapper
 from lispac.design.site import Site, least_off, overlapping
-from lispac.errors import LispacError, RankDeficient
+from lispac.errors import LispacError, RankDeficient, system_reason
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
 from lispac.language import LazyText, gettext_lazy
@@ -167,7 +167,7 @@ def _made(folder: Path) -> Path:
             error(
                 "plan_survey.folder_not_created",
                 folder=str(folder),
-                reason=failure.strerror or str(failure),
+                reason=system_reason(failure),
             )
         ) from failure
     return folder

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError, ProjectError
+from lispac.errors import InputError, ProjectError, system_reason
 from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
@@ -226,7 +226,7 @@ def stored_line(
                 "import.file_unreadable",
                 file=str(line.path),
                 line=line.name,
-                reason=failure.strerror or str(failure),
+                reason=system_reason(failure),
             )
         ) from failure
     if not same:

@@ -15,7 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from lispac.caches import MANUAL, MANUAL_MARK, cache_place
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.installed import resource
 from lispac.language import LANGUAGES, gettext_lazy
 from lispac.messages import error
@@ -135,7 +135,7 @@ def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
             shutil.rmtree(draft, ignore_errors=True)
     except OSError as failure:
         raise InputError(
-            error("manual.not_writable", folder=str(place), reason=failure.strerror or str(failure))
+            error("manual.not_writable", folder=str(place), reason=system_reason(failure))
         ) from failure
     for former in place.iterdir():
         if former.is_dir() and former != built and not former.name.startswith(".draft-"):

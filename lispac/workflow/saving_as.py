@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from zlib import crc32
 
-from lispac.errors import InputError, ProjectError
+from lispac.errors import InputError, ProjectError, system_reason
 from lispac.io.project_file import FILE_NAME, SIGHTINGS, write_project
 from lispac.language import gettext_lazy
 from lispac.messages import error
@@ -84,7 +84,7 @@ def save_project_as(
                 error(
                     "project_folder.not_writable",
                     folder=str(folder),
-                    reason=failure.strerror or str(failure),
+                    reason=system_reason(failure),
                 )
             ) from failure
         with _sightings_taken_back(folder):

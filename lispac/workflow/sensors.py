@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.installed import resource, user_folder
 from lispac.io.sensor_file import (
     Figures,
@@ -194,7 +194,7 @@ def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) ->
         path.unlink()
     except OSError as failure:
         raise InputError(
-            error("sensor.not_removed", file=str(path), reason=failure.strerror or str(failure))
+            error("sensor.not_removed", file=str(path), reason=system_reason(failure))
         ) from failure
 
 

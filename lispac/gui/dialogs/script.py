@@ -7,7 +7,7 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say, say_all
+from lispac.gui.language import say_all
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
 
@@ -72,4 +72,4 @@ class ScriptDialog(QDialog):
 
     def _keep(self) -> None:
         if text := self._save():
-            self.said.setText(say(text))
+            self.said.setText(text)

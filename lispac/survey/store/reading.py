@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import ProjectError
+from lispac.errors import ProjectError, system_reason
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
@@ -428,7 +428,7 @@ def _require_checksum(path: Path, checksum: int) -> None:
     try:
         sound = checksum_of(path) == checksum
     except OSError as failure:
-        reason = failure.strerror or str(failure)
+        reason = system_reason(failure)
         raise ProjectError(
             error("store.part_not_readable", file=str(path), reason=reason)
         ) from failure
