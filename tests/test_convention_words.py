@@ -99,9 +99,7 @@ def test_offsets_that_belong_to_the_boresight_are_named() -> None:
     angle = float(np.radians(-0.25))
     found = offsets_note(Mounting(np.zeros(3), np.zeros(3), scan_angle_offset=angle))
     assert found is not None
-    (part,) = found.params["offsets"]
-    assert part.params["quantity"] == note("quantity.scan_angle_offset")
-    assert part.params["value"] == note("offset.deg", value=angle)
+    assert found.params["offsets"] == (note("item.scan_angle_offset", value=angle),)
 
 
 @pytest.mark.parametrize("convention", SYSTEMS, ids=lambda each: each.key)

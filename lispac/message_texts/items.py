@@ -26,10 +26,9 @@ TEXTS: Mapping[str, Template] = {
     "change.m": N_("{value:m.4+} m"),
     "change.deg": N_("{value:deg.4+} deg"),
     "change.ms": N_("{value:ms.2+} ms"),
-    "offset.m": N_("{value:m.4+} m"),
-    "offset.deg": N_("{value:deg.4+} deg"),
-    "offset.ms": N_("{value:ms.4+} ms"),
-    "item.quantity_value": N_("{quantity} {value}"),
+    "item.range_offset": N_("range offset {value:m.4+} m"),
+    "item.scan_angle_offset": N_("scan-angle offset {value:deg.4+} deg"),
+    "item.latency": N_("latency {value:ms.4+} ms"),
     # -- sightings and targets ---------------------------------------------------------------
     "item.sighting": N_("{target} on line {line}"),
     "item.sighting_shifted": N_("{target} on line {line} (off by {shift:mm.1} mm, w {w:x.1+})"),

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from laspy import ScaleAwarePointRecord
@@ -19,7 +20,7 @@ from lispac.errors import InputError
 from lispac.io.las_export import Cloud, Pattern, cloud_file
 from lispac.io.registry import PointChunk
 from lispac.language import gettext_lazy
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.progress import Pace, Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
@@ -46,8 +47,8 @@ class Written:
         it is too steep to be interpolated).
     excluded : int
         Left out because they lie farther from the scanner than it measures, or in it.
-    notes : tuple of str
-        What else there is to know, in words.
+    notes : tuple of str or Message
+        What else there is to know.
     """
 
     path: Path
@@ -55,23 +56,26 @@ class Written:
     outside: int = 0
     in_gaps: int = 0
     excluded: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[str | Message, ...] = ()
 
     @property
-    def sentence(self) -> str:
-        """What was left out, in words; empty where nothing was."""
-        parts = []
+    def left_out(self) -> Message | None:
+        """Points that were left out, if any."""
+        params: dict[str, Any] = {
+            "file": self.path.name, "count": self.points + self.outside + self.in_gaps,
+        }  # fmt: skip
+        if self.outside and self.in_gaps:
+            return note("export.left_out", outside=self.outside, in_gaps=self.in_gaps, **params)
         if self.outside:
-            parts.append(f"{self.outside:,} points outside the trajectory's time")
+            return note("export.left_out_outside", outside=self.outside, **params)
         if self.in_gaps:
-            parts.append(
-                f"{self.in_gaps:,} points in gaps of the trajectory or where its pitch is beyond "
-                "80 deg"
-            )
-        if not parts:
-            return ""
-        whole = self.points + self.outside + self.in_gaps
-        return f"{self.path.name}: {' and '.join(parts)}, of {whole:,}, are left out"
+            return note("export.left_out_in_gaps", in_gaps=self.in_gaps, **params)
+        return None
+
+    @property
+    def all_notes(self) -> tuple[str | Message, ...]:
+        """What there is to know, with the points that were left out first."""
+        return self.notes if self.left_out is None else (self.left_out, *self.notes)
 
 
 @dataclass(frozen=True, eq=False)

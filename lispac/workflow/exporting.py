@@ -26,7 +26,7 @@ from lispac.io.text_export import (
     write_trajectory_text,
 )
 from lispac.language import gettext_lazy
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
@@ -180,16 +180,12 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     return output
 
 
-def trajectory_datum_words(project: Project) -> str:
-    """What an exported trajectory takes for granted of its datum and epoch, in words."""
-    return (
-        f"latitude, longitude and height are as in {project.trajectory.name}: in the datum and at "
-        "the epoch it was computed in, which the exported file does not name"
-    )
+SBET_ZEROS = note("export.sbet_zeros")
 
 
-EPOCH_WORDS = "coordinates at the epoch of the trajectory, not moved to another one"
-"""What a cloud takes for granted where no epoch was given."""
+def trajectory_datum(project: Project) -> Message:
+    """Datum and epoch of an exported trajectory."""
+    return note("export.trajectory_datum", file=project.trajectory.name)
 
 
 def _trajectory_base(project: Project) -> str:

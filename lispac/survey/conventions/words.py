@@ -125,16 +125,13 @@ _SIDES = (
 def offsets_note(mounting: Mounting) -> Message | None:
     """What else the other program has to apply for the boresight to hold."""
     offsets = (
-        ("range_offset", mounting.range_offset, 1.0, "m"),
-        ("scan_angle_offset", mounting.scan_angle_offset, float(np.degrees(1.0)), "deg"),
-        ("latency", mounting.latency, 1000.0, "ms"),
+        ("item.range_offset", mounting.range_offset, 1.0),
+        ("item.scan_angle_offset", mounting.scan_angle_offset, float(np.degrees(1.0))),
+        ("item.latency", mounting.latency, 1000.0),
     )
     parts = tuple(
-        note("item.quantity_value", quantity=note(f"quantity.{name}"),
-             value=note(f"offset.{unit}", value=float(value)))
-        for name, value, scale, unit in offsets
-        if round(value * scale, 4)
-    )  # fmt: skip
+        note(code, value=float(value)) for code, value, scale in offsets if round(value * scale, 4)
+    )
     return note("convention.offsets", offsets=parts) if parts else None
 
 
