@@ -174,7 +174,7 @@ def _picture(caption: str, path: Path) -> Picture:
     if suffix not in (".png", ".svg"):
         raise InputError(error("report.picture_format", file=str(path)))
     try:
-        return Picture(caption, path.read_bytes(), suffix)
+        return Picture(gettext(caption), path.read_bytes(), suffix)
     except OSError as failure:
         reason = system_reason(failure)
         raise InputError(

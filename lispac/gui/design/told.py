@@ -10,7 +10,6 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.search import Worth, worth
 from lispac.gui import units
-from lispac.gui.language import local_number
 from lispac.io.plan_file import TitledPlan
 from lispac.language import N_, Plural, gettext, number
 from lispac.messages import Message, note
@@ -68,7 +67,7 @@ def sigma_text(degrees: float) -> str:
     """A standard deviation in the unit and the language of the user."""
     if not np.isfinite(degrees):
         return gettext(OPEN)
-    return local_number(units.figure(degrees, "°", form(degrees)))
+    return units.localised(units.figure(degrees, "°", form(degrees)))
 
 
 def form(degrees: float) -> str:

@@ -21,7 +21,6 @@ from lispac.gui import units
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
-from lispac.gui.language import local_number
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
 from lispac.io.sensor_file import Figures, PosFigures, PosState, ScannerFigures
@@ -237,5 +236,5 @@ def _sigmas(state: PosState) -> str:
 def _amounts(values: Sequence[float], base: Base, form: str) -> str:
     """Values in the unit that the user has chosen: ``0.010 / 0.010 / 0.020 m``."""
     sign = units.unit(base).sign
-    text = " / ".join(local_number(units.figure(value, base, form)) for value in values)
+    text = " / ".join(units.localised(units.figure(value, base, form)) for value in values)
     return text + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

@@ -20,7 +20,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.language import local_number
 from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
 from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
@@ -318,7 +317,7 @@ class MountingView(QWidget):
 
 def length_words(length: float, form: str) -> str:
     """A length (metres) with the unit shown."""
-    return local_number(units.figure(length, "m", form)) + quantities.unit_suffix("m")
+    return units.localised(units.figure(length, "m", form)) + quantities.unit_suffix("m")
 
 
 def _letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:

@@ -24,7 +24,6 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import local_number
 from lispac.gui.panels.number_field import BASES, NumberField
 from lispac.gui.tabbing import ENTERS
 from lispac.gui.units import Base
@@ -172,7 +171,7 @@ def convert_tip(made: QWidget, *bases: Base) -> None:
 def _with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
     first, last = (f"{v:,.10g}" if base is None else units.limit(v, base) for v in (low, high))
     sign = "deg" if unit == "°" else unit
-    first, last = local_number(first), local_number(last)
+    first, last = units.localised(first), units.localised(last)
     if not unit:
         return gettext("{tip}, {low} to {high}", tip=tip, low=first, high=last)
     return gettext("{tip}, {low} to {high} {unit}", tip=tip, low=first, high=last, unit=sign)
