@@ -13,7 +13,7 @@ from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.installed import home_folder, temporary_folder, user_folder
 from lispac.messages import Level, Message, error
 
@@ -97,7 +97,7 @@ def require_writable(folder: Path) -> None:
         trial.write_bytes(b"")
         trial.unlink()
     except OSError as failure:
-        reason = failure.strerror or str(failure)
+        reason = system_reason(failure)
         raise InputError(
             error("cache.folder_not_writable", folder=str(folder), reason=reason)
         ) from failure
@@ -149,7 +149,7 @@ def empty(place: Path) -> None:
         try:
             shutil.rmtree(part)
         except OSError as failure:
-            reason = failure.strerror or str(failure)
+            reason = system_reason(failure)
             raise InputError(
                 error("cache.not_removed", folder=str(part), reason=reason)
             ) from failure

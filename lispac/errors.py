@@ -4,8 +4,29 @@ A message is one plain sentence for a surveyor: what is wrong, where, and what t
 The command line prints it and exits with 1; the window shows it in a dialogue.
 """
 
+import errno
+
 from lispac.message_texts import CONTROL, message_text
-from lispac.messages import Message
+from lispac.messages import Message, note
+
+SYSTEM_REASONS = {
+    errno.ENOENT: "system.not_found",
+    errno.EIO: "system.input_output",
+    errno.EACCES: "system.permission",
+    errno.ENOTDIR: "system.not_a_folder",
+    errno.EISDIR: "system.is_a_folder",
+    errno.ENOSPC: "system.disk_full",
+    errno.EROFS: "system.read_only",
+    errno.ENAMETOOLONG: "system.long_name",
+    errno.EDQUOT: "system.quota",
+}
+"""Code of the message for each number of an error of the system."""
+
+
+def system_reason(failure: OSError) -> Message | str:
+    """Reason of an error of the system, as a parameter of a message."""
+    code = SYSTEM_REASONS.get(failure.errno or 0)
+    return failure.strerror or str(failure) if code is None else note(code)
 
 
 class LispacError(Exception):

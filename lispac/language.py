@@ -11,7 +11,8 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   radians, ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three
   significant digits where no number of decimals follows, and ``+`` for a sign in any case. The unit
   itself is part of the text.
-- ``names``: names joined by commas and "and"; ``choices``: joined by "or"
+- ``names``: names joined by commas and "and"; ``choices``: joined by "or"; ``sentences``: texts one
+  after the other
 - no specification: a name, or another message, as it is
 """
 
@@ -19,7 +20,7 @@ import gettext as gnu
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import date, datetime
 from decimal import Decimal
 from functools import lru_cache
@@ -105,23 +106,29 @@ def N_(text: str) -> str:  # noqa: N802  (the name that gettext gives it)
     return text
 
 
+@dataclass(frozen=True)
 class LazyText:
     """A text that is translated each time it is shown: ``str(text)``.
 
     For texts that outlive a change of the language, such as the names of undo steps.
     """
 
-    def __init__(self, template: Template, params: Mapping[str, Any]) -> None:
-        self._template, self._params = template, params
+    template: Template
+    params: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __str__(self) -> str:
         """The text in the language in use."""
-        return text_of(self._template, self._params)
+        return text_of(self.template, self.params)
 
 
 def gettext_lazy(template: Template, /, **params: Any) -> LazyText:
     """As `gettext`, translated when it is shown."""
     return LazyText(template, params)
+
+
+def sentences(texts: Sequence[LazyText]) -> LazyText:
+    """Sentences one after the other."""
+    return LazyText("{texts:sentences}", {"texts": tuple(texts)})
 
 
 def gettext(template: Template, /, **params: Any) -> str:
@@ -212,6 +219,16 @@ def short_date(day: date) -> str:
     return format_date(day, "short", locale=_LOCALES[current_language()])
 
 
+def duration_text(seconds: float) -> str:
+    """A duration: ``3 s``, ``2 min 10 s``, ``1 h 05 min``."""
+    whole = max(1, round(seconds))
+    if whole < 60:
+        return f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60:02d} s"
+    return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
 class TextFormatter(Formatter):
     """Formats SI values in the units that a surveyor reads, by the specifications above."""
 
@@ -226,6 +243,8 @@ class TextFormatter(Formatter):
         if format_spec in ("names", "choices"):
             names = [value] if isinstance(value, str) else value
             return joined([str(each) for each in names], choice=format_spec == "choices")
+        if format_spec == "sentences":
+            return " ".join(map(str, value))
         if format_spec == "n":
             return number(int(value), 0)
         bare = format_spec.removesuffix("+")

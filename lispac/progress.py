@@ -5,24 +5,108 @@ prints the calls, the window draws them, and either may raise `Cancelled` from i
 that is how a running task is stopped.
 """
 
+import time
+from dataclasses import dataclass
 from typing import Protocol
+
+from lispac.language import LazyText, duration_text, gettext, number
+
+SHORTEST_RATED = 1.0
+"""Seconds after which a rate is given."""
+
+
+@dataclass(frozen=True)
+class PointStep:
+    """A step of a task that goes through points.
+
+    Attributes
+    ----------
+    step : LazyText
+        What is done with them: ``Reading L1``.
+    done : int
+        Points that are done.
+    total : int or None
+        Points there are, where that is known.
+    rate : float or None
+        Points a second, where that is known.
+    """
+
+    step: LazyText
+    done: int
+    total: int | None
+    rate: float | None = None
+
+    def __str__(self) -> str:
+        """The step with its rate, and the time left for it."""
+        if self.rate is None or self.total is None:
+            return self.without_time_left()
+        left = gettext("{time} left", time=duration_text((self.total - self.done) / self.rate))
+        return f"{self.without_time_left()}, {left}"
+
+    def without_time_left(self) -> str:
+        """The step with its rate."""
+        if self.total is None:
+            text = gettext("{step}: {done} points", step=self.step, done=count_text(self.done))
+        else:
+            text = gettext(
+                "{step}: {done} of {total} points",
+                step=self.step, done=count_text(self.done), total=count_text(self.total),
+            )  # fmt: skip
+        if self.rate is None:
+            return text
+        rate = gettext("{rate:x.2} M points/s", rate=self.rate / 1e6)
+        return f"{text}, {rate}"
+
+
+Step = LazyText | PointStep
+"""What is being done; ``str`` gives its text."""
 
 
 class Progress(Protocol):
     """Called with the fraction done, in [0, 1], and what is being done."""
 
-    def __call__(self, fraction: float, message: str = "") -> None:
+    def __call__(self, fraction: float, step: Step | None = None) -> None:
         """Report; raises `lispac.errors.Cancelled` when the user asked to stop."""
 
 
-def no_progress(fraction: float, message: str = "") -> None:
+def no_progress(fraction: float, step: Step | None = None) -> None:
     """Listen to nothing."""
 
 
 def part(progress: Progress, start: float, stop: float) -> Progress:
     """Give a sub-task the stretch from ``start`` to ``stop`` of the whole."""
 
-    def report(fraction: float, message: str = "") -> None:
-        progress(start + (stop - start) * fraction, message)
+    def report(fraction: float, step: Step | None = None) -> None:
+        progress(start + (stop - start) * fraction, step)
 
     return report
+
+
+class Pace:
+    """How fast points go by.
+
+    Parameters
+    ----------
+    step : LazyText
+        What is done with them: ``Reading L1``.
+    total : int or None
+        Points to come, where that is known.
+    done : int
+        Points that were done before the clock started.
+    """
+
+    def __init__(self, step: LazyText, total: int | None, done: int = 0) -> None:
+        self._step, self._total, self._before = step, total, done
+        self._started = time.monotonic()
+
+    def step(self, done: int) -> PointStep:
+        """How far it is, and how fast once that is known."""
+        elapsed = time.monotonic() - self._started
+        if elapsed < SHORTEST_RATED or done <= self._before:
+            return PointStep(self._step, done, self._total)
+        return PointStep(self._step, done, self._total, (done - self._before) / elapsed)
+
+
+def count_text(count: int) -> str:
+    """A count of points, in millions where it is large: ``812``, ``4.9 M``."""
+    return f"{number(count / 1e6, 1)} M" if count >= 1_000_000 else number(count, 0)

@@ -257,16 +257,17 @@ def _programs(language: str) -> str:
     heads = PROGRAMS[language]
     parts = []
     for system in SYSTEMS:
-        angles = ", ".join(f"{say(turn.name)} {say(turn.meaning)}" for turn in system.turns)
+        angles = ", ".join(f"{gettext(turn.name)} {gettext(turn.meaning)}" for turn in system.turns)
         order = " · ".join(f"R{'xyz'[system.turns[k].axis]}" for k in system.order)
         values = (
-            ", ".join(say(each) for each in system.axes), angles, order,
-            say(STATUS_WORDS[system.status]), say(system.source), say(system.assumption),
+            ", ".join(gettext(each) for each in system.axes), angles, order,
+            gettext(STATUS_WORDS[system.status]), gettext(system.source),
+            gettext(system.assumption),
         )  # fmt: skip
         lines = [
             f"- {head} {_cell(value)}" for head, value in zip(heads, values, strict=True) if value
         ]
-        parts.append(f"### {_cell(say(system.name))}\n\n" + "\n".join(lines) + "\n")
+        parts.append(f"### {_cell(gettext(system.name))}\n\n" + "\n".join(lines) + "\n")
     return "\n".join(parts)
 
 

@@ -59,9 +59,9 @@ def _with_texts(value: Any) -> Any:
         return [_with_texts(item) for item in value]
     if not isinstance(value, dict):
         return value
-    if str(value.get("$ref", "")).startswith("#/$defs/Message"):
+    if value.get("$ref") in ("#/$defs/Message", "#/$defs/LazyText"):
         return {"type": "string"}
-    unused = ("Message", "Level", "Cause", "Action", "Value")
+    unused = ("Message", "Level", "Cause", "Action", "Value", "LazyText", "Plural")
     return {
         key: _with_texts(
             {name: each for name, each in item.items() if name not in unused}

@@ -9,7 +9,7 @@ import pytest
 
 from lispac.errors import Cancelled, LispacError
 from lispac.messages import Message
-from lispac.progress import Progress
+from lispac.progress import Progress, Step
 from lispac.survey.store import columns, merging, ordering, pieces, spool
 from lispac.survey.store.layout import Manifest, Original
 from lispac.survey.store.pieces import Piece
@@ -89,7 +89,7 @@ def stop_at(call: int) -> Progress:
     """A progress that cancels at its call of that number, from 0."""
     calls = 0
 
-    def progress(fraction: float, message: str = "") -> None:
+    def progress(fraction: float, step: Step | None = None) -> None:
         nonlocal calls
         if calls == call:
             raise Cancelled

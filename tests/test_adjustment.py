@@ -15,6 +15,7 @@ from lispac.adjustment.stochastic import KNOT_INTERVAL, PosErrorKnots, Stochasti
 from lispac.adjustment.sums import State, Weights, grouped, sum_by_group
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
 from lispac.io.plane_file import read_plane_files
+from lispac.progress import Step
 from lispac.survey.georeferencing import Mounting
 from tests.error_codes import has_code
 from tests.surveys import disturbed, planar_survey
@@ -285,7 +286,7 @@ def test_sigmas_that_make_no_sense_are_refused() -> None:
 
 
 def test_can_be_cancelled() -> None:
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):

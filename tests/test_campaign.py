@@ -26,6 +26,7 @@ from lispac.design.search import search
 from lispac.design.simulated_plan import simulated
 from lispac.errors import Cancelled, LispacError, RankDeficient
 from lispac.io.plan_file import read_site
+from lispac.progress import Step
 from lispac.simulation.closed_form import Ball
 from lispac.simulation.scanner import Scanner
 from lispac.workflow import cluster as cluster_module
@@ -142,7 +143,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
     ):
         workers = list(client.run(os.getpid).values())
 
-        def kill(fraction: float, message: str = "") -> None:
+        def kill(fraction: float, step: Step | None = None) -> None:
             if not killed:
                 killed.append(workers[0])
                 os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
@@ -388,7 +389,7 @@ def test_chi_square_knows_that_angles_go_together() -> None:
 
 def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> None:
     def cancelled_after(count: int) -> Callable[[float, str], None]:
-        def progress(fraction: float, message: str = "") -> None:
+        def progress(fraction: float, step: Step | None = None) -> None:
             if fraction >= count / 14:
                 raise Cancelled
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.io.project_file import write_project
+from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.repeating import remarks_on
 from lispac.workflow.same_lines import shared_lines
@@ -134,8 +135,7 @@ def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:
     changed = replace(first, lines=first.lines[:3])
     told = remarks_on(("a", "b"), (changed, other))
     assert told == [
-        "b rests on 1 of the lines of a: the two are not independent. They agree better than two "
-        "surveys would, and are less certain together than it is said.",
-        "b has another lever arm than a: part of the difference may come from it.",
-        "b and a have different models of the POS errors: their sigmas are not of one kind.",
+        note("repeat.shared_lines", name="b", other="a", count=1),
+        note("repeat.lever_arm", name="b", other="a"),
+        note("repeat.pos_errors", name="b", other="a"),
     ]

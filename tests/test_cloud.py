@@ -11,7 +11,7 @@ import pytest
 from lispac.errors import Cancelled, InputError
 from lispac.io.las import write_points
 from lispac.io.project_file import read_project, write_project
-from lispac.progress import no_progress
+from lispac.progress import Step, no_progress
 from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
@@ -211,8 +211,8 @@ def test_new_project_of_large_lines_is_whole_or_leaves_nothing(
     source, folder = calibrated[0], tmp_path / "p"
     monkeypatch.setattr(survey_module, "LARGE", 0)
 
-    def stop_on_second(fraction: float, message: str = "") -> None:
-        if message.startswith(f"Reading {source.lines[1].name}"):
+    def stop_on_second(fraction: float, step: Step | None = None) -> None:
+        if str(step).startswith(f"Reading {source.lines[1].name}"):
             raise Cancelled
 
     def make(progress=no_progress) -> tuple[Project, Survey]:

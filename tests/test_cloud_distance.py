@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError
 from lispac.io.values import decoded, encoded
+from lispac.progress import Step
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE, LocalModel
 from tests.error_codes import has_code
@@ -206,7 +207,7 @@ def test_refuses_what_cannot_be_measured() -> None:
 def test_reports_progress_and_can_be_cancelled() -> None:
     seen: list[float] = []
 
-    def listen(fraction: float, message: str = "") -> None:
+    def listen(fraction: float, step: Step | None = None) -> None:
         seen.append(fraction)
 
     cloud = tower(110_000, 1)
@@ -215,7 +216,7 @@ def test_reports_progress_and_can_be_cancelled() -> None:
     assert seen[-1] == pytest.approx(1.0)
     assert len(seen) > 2
 
-    def cancel(fraction: float, message: str = "") -> None:
+    def cancel(fraction: float, step: Step | None = None) -> None:
         if fraction > 0.3:
             raise Cancelled
 

@@ -15,6 +15,7 @@ from lispac.io.las_export import pattern_of_columns, pattern_of_las
 from lispac.io.points import system_of
 from lispac.io.registry import PointChunk
 from lispac.messages import error
+from lispac.progress import Step
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, recovered
@@ -251,7 +252,7 @@ def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None
 
 
 def test_progress_says_rate_and_time_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.survey.store.pace.SETTLED", 0.0)
+    monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
     points, time = sweep(track(), 40_000)
     parts = np.array_split(np.arange(len(time)), 20)
     chunks = (PointChunk(points[k], time[k], {}, len(time)) for k in parts)
@@ -259,8 +260,8 @@ def test_progress_says_rate_and_time_left(tmp_path: Path, monkeypatch: pytest.Mo
     path = tmp_path / "map.laz"
     mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
 
-    def listen(fraction: float, message: str = "") -> None:
-        said.append((fraction, message))
+    def listen(fraction: float, step: Step | None = None) -> None:
+        said.append((fraction, str(step)))
 
     write_cloud(chunks, path, path, mapper, pattern_of_columns, progress=listen)
     fractions = [fraction for fraction, _ in said]

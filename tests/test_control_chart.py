@@ -11,6 +11,7 @@ from matplotlib.dates import date2num
 
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
+from lispac.messages import note
 from lispac.report.control_charts import control_figure
 from lispac.validation.control_chart import CHANCE, control_chart, limits
 from lispac.validation.repeatability import Calibration
@@ -180,11 +181,7 @@ def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = histories([tmp_path])
-    assert remarks == ("Not used: b has no result yet.",)
+    assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
     told = {history.entries[0].project.name: history.remarks for history in found}
-    sentence = (
-        "These projects do not name vessel, scanner and INS/GNSS: whether they are of one system "
-        "is not known."
-    )
-    assert sentence not in told["a"]  # its scanner is named
-    assert sentence in told["c"]
+    assert note("history.unnamed_system") not in told["a"]  # its scanner is named
+    assert note("history.unnamed_system") in told["c"]

@@ -4,50 +4,58 @@ import numpy as np
 import pytest
 
 from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.survey.conventions.conversion import Setup
 from lispac.survey.conventions.systems import SYSTEMS
-from lispac.survey.conventions.words import boresight_words, lever_arm_words, offsets_words
+from lispac.survey.conventions.words import lever_arm_text, offsets_note, orientation_text
 from lispac.survey.georeferencing import Mounting
+
+
+def said(boresight: np.ndarray) -> str:
+    return str(orientation_text(boresight))
+
+
+def arm(lever_arm: tuple[float, float, float]) -> str:
+    return str(lever_arm_text(lever_arm))
 
 
 def test_a_steep_pitch_is_told_by_the_axes() -> None:
     """There roll and yaw are turns about the same axis and say little alone."""
-    assert boresight_words(np.radians([0.0, 90.0, 0.0])) == (
+    assert said(np.radians([0.0, 90.0, 0.0])) == (
         "The scanner's axes point: X down, Y port, Z forward."
     )
     rotation = rotation_matrix(*np.radians([-57.9, 89.3, 58.2]))
     cosine = min(-rotation[2, 0], rotation[1, 1], rotation[0, 2])
-    off = f"{np.degrees(np.arccos(cosine)):.3f}".rstrip("0")
-    assert boresight_words(angles_of(rotation)) == (
+    off = f"{np.degrees(np.arccos(cosine)):.3f}"
+    assert said(angles_of(rotation)) == (
         f"The scanner's axes point: X down, Y port, Z forward, off by {off} deg at most."
     )
 
 
 def test_a_boresight_in_a_sentence() -> None:
-    assert boresight_words(np.radians([0.13, -0.12, 0.28])) == (
-        "The scanner looks 0.12 deg bow up, is turned 0.28 deg to starboard and leans 0.13 deg "
+    assert said(np.radians([0.13, -0.12, 0.28])) == (
+        "The scanner looks 0.120 deg bow up, is turned 0.280 deg to starboard and leans 0.130 deg "
         "with its left side up."
     )
-    assert boresight_words(np.radians([-0.13, 0.12, -0.28])) == (
-        "The scanner looks 0.12 deg bow down, is turned 0.28 deg to port and leans 0.13 deg "
+    assert said(np.radians([-0.13, 0.12, -0.28])) == (
+        "The scanner looks 0.120 deg bow down, is turned 0.280 deg to port and leans 0.130 deg "
         "with its right side up."
     )
-    assert boresight_words(np.zeros(3)) == "The scanner is parallel to the body."
-    assert boresight_words(np.radians([0, 0, 0.0251])) == (
-        "The scanner is turned 0.0251 deg to starboard."
-    )
-    assert "(first turned, then pitched, then rolled)" in boresight_words(np.radians([5, 0, 90]))
+    assert said(np.zeros(3)) == "The scanner is parallel to the body."
+    assert said(np.radians([0, 0, 0.0251])) == ("The scanner is turned 0.0251 deg to starboard.")
+    assert "(first turned, then pitched, then rolled)" in said(np.radians([5, 0, 90]))
 
 
 def test_angles_are_said_with_as_many_decimals_as_each_other() -> None:
-    assert boresight_words(np.radians([0.2, 1.178, 0.3])) == (
+    assert said(np.radians([0.2, 1.178, 0.3])) == (
         "The scanner looks 1.178 deg bow down, is turned 0.300 deg to starboard and leans 0.200 "
         "deg with its left side up."
     )
-    assert boresight_words(np.radians([0, 1.2, 0.0251])) == (
+    assert said(np.radians([0, 1.2, 0.0251])) == (
         "The scanner looks 1.200 deg bow down and is turned 0.0251 deg to starboard."
     )
-    assert boresight_words(np.radians([1e-6, 1.178, 90])) == (
+    assert said(np.radians([1e-6, 1.178, 90])) == (
         "The scanner looks 1.178 deg bow down and is turned 90.000 deg to starboard (first turned, "
         "then pitched, then rolled)."
     )
@@ -61,35 +69,37 @@ def test_the_words_say_what_the_matrix_does(sign: int) -> None:
         rotation_matrix(0, angle, 0) @ [1, 0, 0],
         rotation_matrix(angle, 0, 0) @ [0, 1, 0],
     )
-    assert ("bow up" in boresight_words(np.array([0, angle, 0]))) == (forward[2] > 0)
-    assert ("left side up" in boresight_words(np.array([angle, 0, 0]))) == (left[2] > 0)
+    assert ("bow up" in said(np.array([0, angle, 0]))) == (forward[2] > 0)
+    assert ("left side up" in said(np.array([angle, 0, 0]))) == (left[2] > 0)
     turned = rotation_matrix(0, 0, angle) @ [1, 0, 0]
-    assert ("to port" in boresight_words(np.array([0, 0, angle]))) == (turned[1] > 0)
+    assert ("to port" in said(np.array([0, 0, angle]))) == (turned[1] > 0)
 
 
 def test_a_lever_arm_in_a_sentence() -> None:
-    assert lever_arm_words((-0.185596, 0.037658, 2.419063)) == (
+    assert arm((-0.185596, 0.037658, 2.419063)) == (
         "The scanner's optical centre is 0.186 m aft of, 0.0377 m to port of and 2.419 m above "
         "the POS centre."
     )
-    assert lever_arm_words((0, -1.5, -2)) == (
-        "The scanner's optical centre is 1.5 m to starboard of and 2.0 m below the POS centre."
+    assert arm((0, -1.5, -2)) == (
+        "The scanner's optical centre is 1.500 m to starboard of and 2.000 m below the POS centre."
     )
-    assert lever_arm_words((0, 0, 0)) == "The scanner's optical centre is at the POS centre."
+    assert arm((0, 0, 0)) == "The scanner's optical centre is at the POS centre."
 
 
 def test_offsets_that_belong_to_the_boresight_are_named() -> None:
     plain = Mounting(np.zeros(3), np.zeros(3))
-    assert offsets_words(plain) == ""
+    assert offsets_note(plain) is None
     with_offsets = Mounting(np.zeros(3), np.zeros(3), range_offset=0.1, latency=0.005)
-    assert offsets_words(with_offsets) == (
-        "The boresight holds together with range offset +0.1000 m and latency +5.0000 ms: apply "
+    found = offsets_note(with_offsets)
+    assert found is not None
+    assert message_text(found) == (
+        "The boresight holds together with range offset +0.1000 m and latency +5.0000 ms. Apply "
         "that there too."
     )
-    of_angles = Mounting(np.zeros(3), np.zeros(3), scan_angle_offset=float(np.radians(-0.25)))
-    assert offsets_words(of_angles) == (
-        "The boresight holds together with scan-angle offset -0.2500 deg: apply that there too."
-    )
+    angle = float(np.radians(-0.25))
+    found = offsets_note(Mounting(np.zeros(3), np.zeros(3), scan_angle_offset=angle))
+    assert found is not None
+    assert found.params["offsets"] == (note("item.scan_angle_offset", value=angle),)
 
 
 @pytest.mark.parametrize("convention", SYSTEMS, ids=lambda each: each.key)
@@ -101,22 +111,22 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
         assert sorted(convention.order) == [0, 1, 2]
         assert sorted(turn.axis for turn in convention.turns) == [0, 1, 2]
         for turn in convention.turns:
-            assert turn.name in convention.formula
-            assert turn.meaning in convention.signs
+            assert turn.name in str(convention.formula)
+            assert turn.meaning in str(convention.signs)
 
 
 def test_what_is_taken_for_the_axes_of_the_scanner_is_said() -> None:
     opals = Setup(next(each for each in SYSTEMS if each.key == "opals"))
-    assert opals.scanner_words(rotation_matrix(0.01, 0.02, np.pi / 2)) == (
-        "An axis permutation (mounting) first lays the raw scanner axes on the body's; the angles "
-        "hold the rest. Mounting here: scanner X starboard, Y forward, Z up."
+    assert str(opals.scanner_axes(rotation_matrix(0.01, 0.02, np.pi / 2))) == (
+        "An axis permutation (mounting) first turns the raw scanner axes to those of the body; the "
+        "angles contain the rest. Mounting here: scanner X starboard, Y forward, Z up."
     )
     kept = Setup(next(each for each in SYSTEMS if each.key == "pdal"))
-    assert kept.scanner_words(np.eye(3)) == "The scanner's axes stay those of the raw points."
+    assert str(kept.scanner_axes(np.eye(3))) == "The scanner's axes stay those of the raw points."
 
 
 def test_open_axes_say_what_was_taken() -> None:
     phoenix = next(each for each in SYSTEMS if each.open_axes)
-    assert "taken as X forward, Y port, Z up" in Setup(phoenix).assumption
+    assert "X forward, Y port, Z up is assumed" in str(Setup(phoenix).assumption)
     stated = Setup(phoenix, ("down", "starboard", "aft")).assumption
-    assert "taken as" not in stated
+    assert "is assumed" not in str(stated)

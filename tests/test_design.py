@@ -13,6 +13,7 @@ from lispac.design.prediction import predict
 from lispac.design.search import EXACTLY, search, worth
 from lispac.design.site import Site, apart, steps
 from lispac.errors import Cancelled, InputError, RankDeficient
+from lispac.progress import Step
 from lispac.simulation.closed_form import Board
 from tests.error_codes import has_code
 
@@ -159,7 +160,7 @@ def test_targets_that_face_one_way_are_no_plan() -> None:
 
 
 def test_a_search_is_cancelled() -> None:
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):

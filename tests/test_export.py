@@ -15,12 +15,13 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, recognised
 from lispac.io.plane_file import read_plane_files
 from lispac.io.sbet import read_sbet, write_sbet
+from lispac.messages import note
 from lispac.project import Project, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import place
 from lispac.survey.trajectory import Poses, Trajectory
 from lispac.workflow.export_request import ExportRequest, export, system_of
-from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.exporting import SBET_ZEROS, export_planes, export_targets, export_trajectory
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked
 
@@ -189,10 +190,8 @@ def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) 
         path = tmp_path / f"new.{form}"
         paths, notes = export(moving, survey, ExportRequest("trajectory", path, form=form))
         assert paths == [path]
-        assert notes[0].startswith("latitude, longitude and height are as in own.sbet: ")
-        assert (
-            "velocities, accelerations, rates and wander angle in the SBET are zero" in notes
-        ) == velocities
+        assert notes[0] == note("export.trajectory_datum", file="own.sbet")
+        assert (SBET_ZEROS in notes) == velocities
 
 
 def turning(folder: Path) -> Project:

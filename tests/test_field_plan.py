@@ -134,4 +134,4 @@ def test_scenarios_and_front_are_drawn() -> None:
     assert heights[-1] == pytest.approx(np.degrees(last.sigma[1]))
     plan = thesis_setting()
     front = (Step(plan, 39.0, 0.0002), Step(plan.with_lines(plan.lines[:4]), 36.0, 0.0003))
-    assert "1 × 4" in words(front_figure(front, "the largest of the three sigmas"))
+    assert "1 × 4" in words(front_figure(front, "largest of the three standard deviations"))

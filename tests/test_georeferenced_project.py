@@ -17,7 +17,8 @@ from lispac.io.las_crs import stated_system
 from lispac.io.points import system_of
 from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
-from lispac.messages import Level
+from lispac.messages import Level, note
+from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.mapping import PointMapper
@@ -169,9 +170,8 @@ def test_points_without_a_pose_are_counted_and_left_out(project: Project, tmp_pa
     in_gap = np.count_nonzero((time > holes[0]) & (time < holes[1]))
     assert (done.outside, done.in_gaps) == (60, in_gap)
     assert in_gap > 0
-    assert done.sentence == (
-        f"L1_prior.laz: 60 points outside the trajectory's time and {in_gap} points in gaps of the "
-        f"trajectory or where its pitch is beyond 80 deg, of {SMALL:,}, are left out"
+    assert done.left_out == note(
+        "export.left_out", file="L1_prior.laz", outside=60, in_gaps=in_gap, count=SMALL
     )
     left = laspy.read(done.path)
     assert len(left) == done.points == SMALL - 60 - in_gap
@@ -215,7 +215,7 @@ def test_the_raw_files_are_not_written_over(project: Project, tmp_path: Path) ->
 def test_cancel_leaves_nothing(project: Project, tmp_path: Path, when: int) -> None:
     calls = 0
 
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         nonlocal calls
         calls += 1
         if calls > when:

@@ -6,6 +6,7 @@ import pytest
 from lispac.errors import Cancelled, InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.sbet import read_sbet, write_sbet
+from lispac.progress import Step
 from lispac.survey.georeferencing import CHUNK, Mounting, georeference, place, to_lidar
 from lispac.survey.trajectory import LocalTrajectory, Poses, Trajectory
 from tests.error_codes import has_code
@@ -95,7 +96,7 @@ def test_both_ends_of_the_trajectory_belong_to_it() -> None:
 def test_can_be_cancelled() -> None:
     path, points, time, mounting = survey(10)
 
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):

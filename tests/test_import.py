@@ -209,9 +209,14 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
 
 
 def test_progress_tells_rate_and_time_left(project: Project, trajectory, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.survey.store.pace.SETTLED", 0.0)
+    monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
     told: list[tuple[float, str]] = []
-    import_line(project, project.lines[0], trajectory, progress=lambda f, m="": told.append((f, m)))
+    import_line(
+        project,
+        project.lines[0],
+        trajectory,
+        progress=lambda f, step=None: told.append((f, str(step))),
+    )
     assert any("M points/s" in words and "left" in words for _, words in told)
     fractions = [fraction for fraction, _ in told]
     assert fractions == sorted(fractions)

@@ -13,6 +13,7 @@ import pytest
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, InputError
 from lispac.installed import resource
+from lispac.progress import Step
 from lispac.workflow import manual
 
 LOADED = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")}
@@ -183,7 +184,7 @@ def test_what_the_builder_refuses_is_told_and_leaves_nothing(small: Path, tmp_pa
 
 
 def test_cancelled_it_leaves_nothing(small: Path, tmp_path: Path) -> None:
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         if fraction == 0.5:
             raise Cancelled
 

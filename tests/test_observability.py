@@ -1,6 +1,5 @@
 """What the geometry sees: refusals with their reason, weak directions, a further line."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -17,7 +16,8 @@ from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
 from lispac.design.advice import advice, further_lines
 from lispac.errors import RankDeficient
-from lispac.messages import Message
+from lispac.message_texts import english_text
+from lispac.messages import Message, note
 from lispac.simulation.closed_form import (
     BOARDS,
     Ball,
@@ -218,9 +218,9 @@ def test_a_further_line_brings_what_was_foretold() -> None:
     sailed = adjust(survey(courses=more), PRIOR, model)
     np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.25)
     assert (lines[45].sigma < result.sigma).all()
-    said = advice(data, result)
-    assert "would bring the sigma of" in said
-    assert "off the face of T1" in said
+    (found,) = advice(data, result)
+    assert found.code in ("further_line.port_of_face", "further_line.starboard_of_face")
+    assert found.params["target"] == "T1"
 
 
 def test_what_was_foretold_holds_with_a_latency_too() -> None:
@@ -256,7 +256,8 @@ def test_where_no_line_helps_the_advice_says_so() -> None:
         replace(c, name=f"{c.name}b", time=c.time + 600) for c in six_courses()
     )
     data = survey((UPRIGHT, LEANING, Board("T3", (0.0, -15.0, 5.0), (0.0, 1.0, 0.3))), twice)
-    assert "No single further line" in advice(data, adjust(data, PRIOR, StochasticModel()))
+    (found,) = advice(data, adjust(data, PRIOR, StochasticModel()))
+    assert found.code == "further_line.insufficient"
 
 
 def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
@@ -266,9 +267,12 @@ def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
     assert result.sigma[0] > 0.9 * np.radians(0.5)
     best = min(line.sigma[0] for line in further_lines(points, result))
     assert best > 0.95 * result.sigma[0]
-    said = advice(points, result)
-    assert said.startswith("The sigma of roll is mostly that of the stated scan-angle offset, ")
-    assert "targets elsewhere" not in said
+    found = advice(points, result)
+    assert found[0] == note(
+        "further_line.prior",
+        angle=note("quantity.roll"), parameters=(note("quantity.scan_angle_offset"),),
+    )  # fmt: skip
+    assert "further_line.insufficient" not in [each.code for each in found]
 
 
 def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
@@ -277,16 +281,18 @@ def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
     points, model = survey(courses=courses), StochasticModel(surface=0.0)
     held = Parameter("scan_angle_offset", np.radians(0.5))
     plain = advice(points, adjust(points, PRIOR, model))
-    said = advice(points, adjust(points, PRIOR, model, parameters=(held,)))
-    assert plain.startswith("A further line headed ")
-    assert said.endswith(f" no further line lowers it. {plain}")
+    first, *rest = advice(points, adjust(points, PRIOR, model, parameters=(held,)))
+    assert len(plain) == 1
+    assert plain[0].params.keys() >= {"heading", "then"}
+    assert first.code == "further_line.prior"
+    assert list(map(english_text, rest)) == list(map(english_text, plain))
 
 
 def test_a_stated_value_that_matters_little_leaves_the_advice_as_it_is() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.002))
     result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
     assert [each.value for each in result.parameters] == [None]
-    assert "is mostly that of" not in advice(points, result)
+    assert "further_line.prior" not in [each.code for each in advice(points, result)]
 
 
 def test_thesis_mode_is_advised_without_what_it_does_not_estimate() -> None:
@@ -305,10 +311,11 @@ def test_a_further_line_says_on_which_side_and_how_far_off_the_targets_are() -> 
     assert not lines[0].to_starboard  # northward, west is to port
     assert lines[180].to_starboard
     assert all(10.5 < line.distance < 15.5 for line in lines.values())
-    said = advice(points, result)
-    best = lines[int(re.search(r"headed (\d+) deg", said)[1])]
+    (found,) = advice(points, result)
+    best = lines[round(np.degrees(found.params["heading"]))]
     side = "starboard" if best.to_starboard else "port"
-    assert f", with the middle of the targets {best.distance:.0f} m to {side}, would " in said
+    assert found.code == f"further_line.{side}_of_face"
+    assert found.params["distance"] == best.distance
 
 
 def test_parts_are_compared_without_what_none_of_them_sees() -> None:

@@ -9,8 +9,7 @@ from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, Plan
 from lispac.design.site import Site, Wall
 from lispac.io.plan_file import TitledPlan
-from lispac.message_texts import message_text
-from lispac.workflow.designing import ONE_WAY, cautions, many_surveys, words_of
+from lispac.workflow.designing import ONE_WAY, cautions, many_surveys, remarks_on
 
 WALL = Wall((0.0, 0.0, 0.0), 270.0)
 
@@ -53,7 +52,7 @@ def test_boards_in_one_place_are_told(plan: Plan) -> None:
 def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
     alike = replace(plan, targets=(one, replace(one, name="twin")))
-    assert words_of(alike) == (message_text(ONE_WAY),)
+    assert remarks_on(alike) == (ONE_WAY,)
     with pytest.raises(RankDeficient) as caught:
         many_surveys(alike, 3, seed=1)
     assert caught.value.message == ONE_WAY

@@ -15,6 +15,7 @@ from lispac.design.scenarios import (
     thesis_setting,
 )
 from lispac.errors import Cancelled
+from lispac.progress import Step
 
 
 @cache
@@ -99,7 +100,7 @@ def test_farther_is_better_for_yaw() -> None:
 
 def test_higher_is_better_for_roll_and_pitch() -> None:
     found = sigmas("height", "correlated")
-    assert (found["20 m"][:2] < found["5 m"][:2] / 2).all()
+    assert (found["20.0 m"][:2] < found["5.0 m"][:2] / 2).all()
 
 
 def test_lines_sailed_again_help_as_their_root() -> None:
@@ -112,9 +113,9 @@ def test_lines_sailed_again_help_as_their_root() -> None:
 
 def test_slower_is_more_points_and_nothing_else() -> None:
     found = sigmas("speed", "independent")
-    assert found["4 m/s"] == pytest.approx(found["1 m/s"] * 2, rel=1e-6)
+    assert found["4.0 m/s"] == pytest.approx(found["1.0 m/s"] * 2, rel=1e-6)
     honest = sigmas("speed", "correlated")
-    assert (honest["4 m/s"] < 1.06 * honest["1 m/s"]).all()
+    assert (honest["4.0 m/s"] < 1.06 * honest["1.0 m/s"]).all()
 
 
 def test_a_better_pos_is_better() -> None:
@@ -135,13 +136,13 @@ def test_thesis_mode_is_many_times_too_sure() -> None:
 def test_some_scenarios_and_cancelling() -> None:
     told: list[str] = []
     found = outcomes(
-        thesis_setting(), ("size",), progress=lambda done, message="": told.append(message)
+        thesis_setting(), ("size",), progress=lambda done, step=None: told.append(str(step or ""))
     )
     assert {each.scenario for each in found} == {"size"}
-    assert told == ["Scenario: size", "Scenarios done"]
+    assert told == ["Scenario: size", ""]
     assert {each.scenario for each in everything()} == set(SCENARIOS)
 
-    def stop(fraction: float, message: str = "") -> None:
+    def stop(fraction: float, step: Step | None = None) -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):

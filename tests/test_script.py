@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError
+from lispac.message_texts import english_text
+from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.editing import without_points
@@ -205,7 +207,7 @@ def test_raw_files_that_are_gone_are_told(demo_project: Project, tmp_path: Path)
     (raw / "L2_180.laz").unlink()
     quay.survey  # noqa: B018  what is imported needs its file no more
     (remark,) = made(quay).remarks
-    assert remark == f"The script needs what is not there now: {raw / 'L2_180.laz'}."
+    assert remark == note("script.missing_files", files=[str(raw / "L2_180.laz")])
 
 
 def reference(folder: Path) -> Path:
@@ -235,7 +237,7 @@ def test_a_check_is_repeated_where_its_reference_is_found(
     script = made(quay)
     assert "# project.check('board.csv', reach=0.8)" in script.text
     (remark,) = script.remarks
-    assert "board.csv was not found beside the lines" in remark
+    assert remark == note("script.no_reference", file="board.csv")
 
 
 def test_a_check_that_its_file_alone_does_not_repeat_is_told(
@@ -246,7 +248,8 @@ def test_a_check_that_its_file_alone_does_not_repeat_is_told(
     quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
     quay.save_as(tmp_path / "quay")
     (remark,) = made(quay).remarks
-    assert "taken to be in a system of one's own" in remark
+    assert remark.code == "script.other_check"
+    assert remark.params["system"] == "a system of one's own"
 
 
 def test_an_answer_that_the_steps_do_not_lead_to_is_told(answered: lispac.OpenProject) -> None:
@@ -254,8 +257,9 @@ def test_an_answer_that_the_steps_do_not_lead_to_is_told(answered: lispac.OpenPr
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))
     (remark,) = made(quay).remarks
-    assert "by up to 0.004 deg (pitch)" in remark
-    assert remark.split(":")[0] in made(quay).text.replace("\n# ", " ")
+    assert remark.code == "script.other_angles"
+    assert remark.params["angle"] == note("quantity.pitch")
+    assert english_text(remark).split(":")[0] in made(quay).text.replace("\n# ", " ")
 
 
 def test_names_cannot_bring_steps_of_their_own(quay: lispac.OpenProject, tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.project_file import FILE_NAME, read_project
+from lispac.progress import Step
 from lispac.project import Project
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.demo import demo_seeds
@@ -193,9 +194,9 @@ def test_cancelled_half_way_and_what_cannot_be_sought(
     read = read_seeds(path, demo_project, survey.trajectory)
     told: list[tuple[float, str]] = []
 
-    def stop(fraction: float, message: str = "") -> None:
-        told.append((fraction, message))
-        if "T2" in message:
+    def stop(fraction: float, step: Step | None = None) -> None:
+        told.append((fraction, str(step)))
+        if "T2" in str(step):
             raise Cancelled
 
     with pytest.raises(Cancelled):

@@ -5,6 +5,7 @@ import pytest
 
 from lispac.errors import Cancelled
 from lispac.geometry.frames import LocalFrame
+from lispac.progress import Step
 from lispac.simulation.port import TARGETS, VALIDATION
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, gauss_markov
 from lispac.simulation.scene import Cylinder, Scene, tilted, upright
@@ -237,7 +238,7 @@ def test_the_same_seed_gives_the_same_survey():
 def test_progress_is_told_and_can_stop():
     told: list[float] = []
 
-    def stop_at_half(fraction: float, message: str = "") -> None:
+    def stop_at_half(fraction: float, step: Step | None = None) -> None:
         told.append(fraction)
         if fraction >= 0.5:
             raise Cancelled

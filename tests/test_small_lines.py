@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
+from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.store.original import original_of
 from lispac.workflow.georeferencing import georeference_project
@@ -155,9 +156,9 @@ def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path
 
 def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project) -> None:
     survey = load_survey(project)
-    told: list[str] = []
-    shown = survey.shown(project, "prior", progress=lambda _share, words="": told.append(words))
-    assert told == ["Placing L1"]
+    told: list[Step | None] = []
+    shown = survey.shown(project, "prior", progress=lambda _share, step=None: told.append(step))
+    assert list(map(str, told)) == ["Placing L1"]
     assert dict(shown) == dict(survey.clouds)
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         survey.shown(project, "estimated")

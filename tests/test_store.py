@@ -58,7 +58,7 @@ def test_the_progress_counts_the_points_read_and_ordered(tmp_path: Path) -> None
     told: list[tuple[float, str]] = []
     write_store(
         tmp_path, RECIPE, LINE.pieces(1000), place,
-        progress=lambda done, words="": told.append((done, words)),
+        progress=lambda done, step=None: told.append((done, str(step or ""))),
     )  # fmt: skip
     done = [part for part, _ in told]
     assert done == sorted(done)
@@ -70,7 +70,7 @@ def test_the_progress_counts_the_points_read_and_ordered(tmp_path: Path) -> None
     assert reading[0][1] == f"Reading L1: 1,000 of {whole:,} points"
     ordering = [words for _, words in told if words.startswith("Ordering L1: ")]
     assert ordering[0] == "Ordering L1: 0 of 6,300 points"
-    assert told[-1] == (1.0, "Ordering L1: bringing it on the disk")
+    assert told[-1] == (1.0, "Ordering L1: writing to the disk")
 
 
 def test_fingerprint_is_that_of_the_points_in_memory(tmp_path: Path) -> None:

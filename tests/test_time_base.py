@@ -6,6 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lispac.errors import InputError
+from lispac.message_texts import english_text
+from lispac.messages import note
 from lispac.survey.time_base import (
     BASES,
     DAY,
@@ -20,12 +22,12 @@ from lispac.survey.time_base import (
     leap_seconds_at_gps,
     matches,
     plausible,
-    sentence,
     to_gps,
     unrolled,
 )
 from lispac.survey.time_quality import Coverage, coverage, joined, time_quality
 from lispac.survey.time_restart import counted_on, restart_of
+from lispac.workflow.offers import fit_message
 from tests.error_codes import has_code
 from tests.message_codes import codes
 
@@ -150,15 +152,18 @@ def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
         assert right == pytest.approx(shift)
     if points == track:
         assert found[0].shift == 0
-        assert "as they are" in sentence(found)
+        assert fit_message(found).code == "time_fit.as_is" or "fit" in fit_message(found).params
 
 
 def test_ambiguity_is_stated() -> None:
     found = matches(times(50_400, 60), times(50_000, 3600))
     assert found[0].shift == 0
-    assert "+18.000 s (UTC seconds of the day) fits as well" in sentence(found)
+    shown = fit_message(found)
+    assert shown.code == "time_fit.ambiguous_base"
+    rival = note("time_fit.rival", shift=18.0, points=note("time_base.utc_day"))
+    assert english_text(rival) in english_text(shown)
     tight = matches(times(50_400, 60), times(50_400, 60))
-    assert "fits as well" not in sentence(tight)
+    assert "rivals" not in fit_message(tight).params
 
 
 def test_leap_seconds_taken_from_today_are_said() -> None:
@@ -167,29 +172,29 @@ def test_leap_seconds_taken_from_today_are_said() -> None:
         times(50_400, 60), times(2 * DAY + 50_000, 3600), point_bases=[day], trajectory_bases=[week]
     )
     assert found[0].leap_assumed
-    assert "leap seconds of today" in sentence(found)
+    assert "leap seconds of today" in english_text(fit_message(found))
     np.testing.assert_allclose(found[0].applied(np.array([50_400.0])), 2 * DAY + 50_418)
 
 
-def test_what_was_found_is_one_sentence() -> None:
+def test_what_was_found_is_a_message() -> None:
     day, week, utc = base_of("gps-day"), base_of("gps-week"), base_of("utc-day")
     as_they_are = Match(((week, week),), 0.0, 0.5)
-    assert sentence((as_they_are,)) == (
-        "Point times fit the trajectory as they are, with 50.0 % of the points inside it."
-    )
+    assert fit_message((as_they_are,)) == note("time_fit.as_is", share=0.5)
     moved = Match(((utc, week),), 172_818.0, 1.0, leap_assumed=True)
     rivals = tuple(Match(((day, week),), 172_818.0 + k, 0.999) for k in (18, -18, 4, 40))
-    assert sentence((moved, *rivals, Match(((day, week),), 7.0, 0.9))) == (
-        "Points in UTC seconds of the day fit the trajectory in GPS seconds of the week after "
-        "adding 172,818.000 s, with 100 % of the points inside it (leap seconds of today, 18 s, "
-        "as neither file tells the date); by the times alone a further shift of +18.000 s "
-        "(GPS seconds of the day) or -18.000 s (GPS seconds of the day) or +4.000 s (GPS seconds "
-        "of the day) fits as well: state the time base of the points (option time_base)."
-    )
-    assert sentence(()) == (
-        "No known time base brings the points onto the trajectory; check that both are of the "
-        "same survey, or state the time bases."
-    )
+    shown = fit_message((moved, *rivals, Match(((day, week),), 7.0, 0.9)))
+    day_name, week_name = note("time_base.gps_day"), note("time_base.gps_week")
+    assert shown == note(
+        "time_fit.ambiguous_base",
+        fit=note(
+            "time_fit.shifted_leap", share=1.0, points=note("time_base.utc_day"),
+            trajectory=week_name, shift=172_818.0, leap_seconds=18.0,
+        ),
+        rivals=tuple(
+            note("time_fit.rival", shift=shift, points=day_name) for shift in (18.0, -18.0, 4.0)
+        ),
+    )  # fmt: skip
+    assert fit_message(()) == note("time_fit.none")
 
 
 def test_line_after_midnight_comes_onto_the_same_trajectory() -> None:
@@ -210,7 +215,6 @@ def test_line_after_the_week_rolled_over() -> None:
 def test_no_match_is_said() -> None:
     assert matches(np.array([5e13]), times(0, 60)) == ()
     assert matches(np.zeros(0), times(0, 60)) == ()
-    assert "No known time base" in sentence(())
 
 
 def test_date_has_to_be_known() -> None:

@@ -11,7 +11,7 @@ from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
-from lispac.language import in_english
+from lispac.language import gettext_lazy, in_english
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -44,7 +44,10 @@ def cross_checks(
     parts = [*_left_out(observations), *_halves(observations)]
     found: list[CrossCheck] = []
     for k, (kind, name, keep) in enumerate(parts):
-        progress(k / len(parts), f"Cross-checking: {kind} {name}")
+        progress(
+            k / len(parts),
+            gettext_lazy("Cross-check {number:n} of {count:n}", number=k + 1, count=len(parts)),
+        )
         found.append(_check(observations, start, result, parameters, kind, name, keep))
     progress(1.0)
     return CrossChecks(

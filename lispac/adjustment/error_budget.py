@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.sensitivity import Sensitivity, sensitivity
 from lispac.errors import InputError
-from lispac.messages import error
+from lispac.language import N_
+from lispac.messages import Message, error, note
 from lispac.survey.georeferencing import CALIBRATION, Mounting, place, to_lidar
 from lispac.survey.trajectory import Poses
 
@@ -21,16 +22,18 @@ Array = NDArray[np.float64]
 DISTANCES = (10.0, 50.0, 100.0)
 """Metres from the scanner."""
 BEAMS: Mapping[str, tuple[float, float, float]] = {
-    "level to starboard": (0.0, -1.0, 0.0),
-    "45 deg up to starboard": (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
+    N_("level to starboard"): (0.0, -1.0, 0.0),
+    N_("45 deg up to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
 }
 """Directions in the body frame (forward, left, up) of a vessel that sails north, level."""
-POSITION, RANGE, BEAM, LIDAR = "GNSS position", "LiDAR range", "LiDAR beam angle", "LiDAR noise"
-ATTITUDE = ("POS roll", "POS pitch", "POS heading")
-LEVER, LATENCY = "Lever arm", "Latency"
-OFFSETS = {"range_offset": "Range offset", "scan_angle_offset": "Scan-angle offset"}
-BEFORE, AFTER = "Boresight before", "Boresight after"
-TOTAL_BEFORE, TOTAL_AFTER = "All together, before", "All together, after"
+POSITION, RANGE = N_("GNSS position"), N_("LiDAR range")
+BEAM, LIDAR = N_("LiDAR beam angle"), N_("LiDAR noise")
+ATTITUDE = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
+LEVER, LATENCY = N_("Lever arm"), N_("Latency")
+OFFSETS = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
+BEFORE, AFTER = N_("Boresight before"), N_("Boresight after")
+TOTAL_BEFORE, TOTAL_AFTER = N_("All together, before"), N_("All together, after")
+"""Sources of error, in English."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,13 +116,13 @@ class ErrorBudget:
     ----------
     distances : tuple of float, metres
     beams : tuple of BeamBudget
-    in_words : tuple of str
-        What it rests on.
+    assumptions : tuple of Message
+        What it is based on.
     """
 
     distances: tuple[float, ...]
     beams: tuple[BeamBudget, ...]
-    in_words: tuple[str, ...]
+    assumptions: tuple[Message, ...]
 
 
 def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -> ErrorBudget:
@@ -134,7 +137,7 @@ def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -
         raise InputError(error("adjustment.budget_distances"))
     chosen = tuple(sorted(set(map(float, distances))))
     beams = tuple(_beam(name, np.array(way), system, chosen) for name, way in BEAMS.items())
-    return ErrorBudget(chosen, beams, tuple(_words(system)))
+    return ErrorBudget(chosen, beams, tuple(_assumptions(system)))
 
 
 def _beam(name: str, way: Array, system: SystemErrors, distances: Sequence[float]) -> BeamBudget:
@@ -243,33 +246,28 @@ def _spreads(covariances: Sequence[Array | None], way: Array) -> tuple[Spread, .
     return tuple(spreads)
 
 
-def _words(system: SystemErrors) -> list[str]:
-    position = ", ".join(f"{1000 * v:.1f}" for v in system.position)
-    attitude = ", ".join(f"{v:.4f}" for v in np.degrees(system.attitude))
-    said = [
-        "Standard deviations of a point as seen from a vessel that sails north, level; distances "
-        "are from the scanner. Horizontal and across the beam are the root of the sum of squares "
-        "of two directions.",
-        f"POS: median of the accuracies on the lines, {position} mm (north, east, up) and "
-        f"{attitude} deg (roll, pitch, heading).",
-        "Boresight before is no standard deviation but by how much the prior angles put the point "
-        "elsewhere than the estimated ones; boresight after is by their covariance.",
-    ]
+def _assumptions(system: SystemErrors) -> list[Message]:
+    north, east, up = map(float, system.position)
+    roll, pitch, heading = map(float, system.attitude)
+    found = [
+        note("budget.geometry"),
+        note(
+            "budget.pos",
+            north=north, east=east, up=up, roll=roll, pitch=pitch, heading=heading,
+        ),
+        note("budget.boresight"),
+    ]  # fmt: skip
     if not isinstance(system.lidar, tuple):
-        said.append(
-            "The LiDAR noise is stated on each axis alike; stated of range and beam it would grow "
-            "with the distance."
-        )
+        found.append(note("budget.lidar_per_axis"))
     if any(name.startswith("lever") for name in system.estimated):
-        said.append("The lever arm counts by what of it was estimated, with its covariance.")
+        found.append(note("budget.lever_arm_estimated"))
     elif system.lever_arm is None:
-        said.append("How well the lever arm is known is not stated, so that it is not counted.")
+        found.append(note("budget.lever_arm_unknown"))
     if "latency" in system.estimated:
-        rates = ", ".join(f"{v:.2f}" for v in np.degrees(system.rates))
-        said.append(
-            f"Latency: at the speed of the lines, {system.speed:.1f} m/s, and their RMS turning, "
-            f"{rates} deg/s (roll, pitch, heading)."
+        roll, pitch, heading = map(float, system.rates)
+        found.append(
+            note("budget.latency", speed=system.speed, roll=roll, pitch=pitch, heading=heading)
         )
     else:
-        said.append("A latency was not estimated and is not counted.")
-    return said
+        found.append(note("budget.no_latency"))
+    return found

@@ -10,6 +10,7 @@ from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.sums import State
 from lispac.errors import NotConverged, RankDeficient
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress
 
@@ -90,7 +91,10 @@ def iterate(
     last = np.zeros(2)
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
-        progress(iteration / MAX_ITERATIONS, f"Adjusting: iteration {iteration}")
+        progress(
+            iteration / MAX_ITERATIONS,
+            gettext_lazy("Adjusting: iteration {number:n}", number=iteration),
+        )
         # Weights that go with the residuals settle slowly unless the step foresees them.
         foreseen = settled and weighted and not nearly and (told or steps > 0)
         foreseen = foreseen and steps <= FORESEEN

@@ -26,6 +26,7 @@ from lispac.adjustment.normal import inverse
 from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
@@ -171,7 +172,7 @@ def _differences(
     """
     found = []
     for part in parts:
-        progress(0.9, "Leaving out parts of the data")
+        progress(0.9, gettext_lazy("Adjusting without parts of the data"))
         with suppress(AdjustmentError, np.linalg.LinAlgError):
             found.append(_without(here, part))
     differences = np.array([answer - whole[0] for answer, _ in found]).reshape(-1, 3)

@@ -100,7 +100,7 @@ def _of_project(folder: Path, setup: Setup) -> Given:
         mounting,
         True,
         np.asarray(result.covariance)[:3, :3],
-        THESIS_MODE if independent else "",
+        THESIS_MODE if independent else None,
         OF_PROJECT,
     )
 

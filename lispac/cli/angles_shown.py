@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import Setup, Stated, state
 from lispac.survey.conventions.correction import SUM_MATTERS, Correction
@@ -15,9 +17,9 @@ from lispac.survey.conventions.present import Replacement
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status
 from lispac.survey.conventions.words import (
     CHECK_FIRST,
-    boresight_words,
-    lever_arm_words,
-    offsets_words,
+    lever_arm_text,
+    offsets_note,
+    orientation_text,
 )
 from lispac.survey.georeferencing import Mounting
 
@@ -50,7 +52,7 @@ class Given:
     mounting: Mounting
     has_lever_arm: bool
     covariance: Array | None = None
-    caution: str = ""
+    caution: Message | None = None
     name: str = "given"
     typed: Array | None = None
 
@@ -88,15 +90,19 @@ def _print_rules(setup: Setup) -> None:
     convention = setup.convention
     if convention.has_angles:
         _line("", f"{convention.formula}, {DIRECTION_WORDS[convention.direction]}")
-        _line("", setup.signs)
+        _line("", str(setup.signs))
     _line("", f"body X {setup.axes[0]}, Y {setup.axes[1]}, Z {setup.axes[2]}")
-    if setup.assumption:
+    if setup.assumption is not None:
         _line("", f"ASSUMED: {setup.assumption}")
 
 
 def _line(label: str, text: str) -> None:
     indent = " " * LABEL
     print(textwrap.fill(text, WIDTH, initial_indent=f"{label:{LABEL}s}", subsequent_indent=indent))
+
+
+def _text(message: Message | None) -> str:
+    return "" if message is None else message_text(message)
 
 
 def _heads(setup: Setup) -> str:
@@ -124,13 +130,13 @@ def _print_given(given: Given) -> None:
         print(_row(given.name, own.angles if given.typed is None else given.typed))
         _print_sigmas(own, given)
     if convention.key != "lispac":
-        _line("", setup.scanner_words(mounting.rotation_body_lidar))
+        _line("", str(setup.scanner_axes(mounting.rotation_body_lidar)))
     print()
-    _line("IN WORDS", boresight_words(mounting.plain.boresight))
+    _line("IN WORDS", str(orientation_text(mounting.plain.boresight)))
     if given.has_lever_arm:
-        _line("", lever_arm_words(mounting.lever_arm))
-    if offsets := offsets_words(mounting):
-        _line("", offsets)
+        _line("", str(lever_arm_text(mounting.lever_arm)))
+    if offsets := offsets_note(mounting):
+        _line("", message_text(offsets))
 
 
 def _print_stated(given: Given, new: Replacement) -> None:
@@ -140,9 +146,9 @@ def _print_stated(given: Given, new: Replacement) -> None:
     _line("TO", f"{convention.name}: {STATUS_WORDS[setup.status]}")
     _print_rules(setup)
     if convention.key != "lispac":
-        _line("", setup.scanner_words(new.mounting.rotation_body_lidar))
+        _line("", str(setup.scanner_axes(new.mounting.rotation_body_lidar)))
     if stated.angles is not None:
-        decimals = 4 if not stated.note else 8
+        decimals = 4 if stated.note is None else 8
         print(_heads(setup))
         if correction is None:
             print(_row(_NEW[setup.status], stated.angles, decimals=decimals))
@@ -150,9 +156,9 @@ def _print_stated(given: Given, new: Replacement) -> None:
             _print_correction(correction, _NEW[setup.status], decimals)
         _print_sigmas(stated, given)
         if setup.status != "verified":
-            _line("", CHECK_FIRST)
-        if stated.note:
-            _line("note", stated.note)
+            _line("", message_text(CHECK_FIRST))
+        if stated.note is not None:
+            _line("note", message_text(stated.note))
     _print_lever_arm(new)
 
 
@@ -165,8 +171,8 @@ def _print_lever_arm(new: Replacement) -> None:
         _line("", f"new {_axes_words(axes, new.stated.lever_arm)}")
     else:
         _line("lever arm", _axes_words(axes, new.stated.lever_arm))
-    if new.lever_arm_words:
-        _line("", new.lever_arm_words)
+    if new.lever_arm_note is not None:
+        _line("", message_text(new.lever_arm_note))
     _line("", "LiDAR optical centre from the POS centre; where the program measures from "
               "another reference point, add that point's offset.")  # fmt: skip
 
@@ -182,7 +188,7 @@ def _print_sigmas(stated: Stated, given: Given) -> None:
     if stated.sigmas is not None:
         print(_row("sigma", stated.sigmas, signed=False))
         if given.caution:
-            _line("", given.caution)
+            _line("", message_text(given.caution))
 
 
 def _print_correction(correction: Correction, label: str, decimals: int) -> None:
@@ -238,10 +244,10 @@ def _system_numbers(setup: Setup) -> dict[str, Any]:
         "system": convention.key,
         "name": convention.name,
         "status": setup.status,
-        "assumption": setup.assumption,
+        "assumption": str(setup.assumption or ""),
         "source": convention.source,
         "angles": [{"name": turn.name, "meaning": turn.meaning} for turn in convention.turns],
-        "formula": convention.formula,
+        "formula": str(convention.formula),
         "direction": convention.direction,
         "body_axes": list(setup.axes),
         "scanner_axes": setup.scanner_frame,
@@ -253,7 +259,7 @@ def _stated_numbers(stated: Stated, has_lever_arm: bool) -> dict[str, Any]:
         "angles_deg": _named(stated.setup, stated.angles),
         "sigma_deg": _named(stated.setup, stated.sigmas),
         "matrix": stated.rotation.tolist(),
-        "note": stated.note,
+        "note": _text(stated.note),
     }
     if has_lever_arm:
         content |= {
@@ -270,9 +276,9 @@ def numbers(given: Given, new: Replacement) -> dict[str, Any]:
     content: dict[str, Any] = {
         "from": _stated_numbers(own, given.has_lever_arm),
         "to": _stated_numbers(stated, new.has_lever_arm),
-        "in_words": boresight_words(given.mounting.plain.boresight),
-        "offsets": offsets_words(given.mounting),
-        "caution": given.caution,
+        "in_words": str(orientation_text(given.mounting.plain.boresight)),
+        "offsets": _text(offsets_note(given.mounting)),
+        "caution": _text(given.caution),
     }
     if correction is not None:
         content["correction"] = {
@@ -289,7 +295,7 @@ def numbers(given: Given, new: Replacement) -> dict[str, Any]:
             "current_transform": new.present.transform.tolist(),
             "transform": new.transform.tolist(),
             "lever_arm": new.lever_arm,
-            "lever_arm_in_words": new.lever_arm_words,
+            "lever_arm_in_words": _text(new.lever_arm_note),
         }
     return content
 

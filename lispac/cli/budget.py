@@ -5,7 +5,9 @@ from dataclasses import asdict
 
 from lispac.adjustment.error_budget import DISTANCES
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.message_texts import message_text
 from lispac.report.budget_values import Budget
+from lispac.report.json_report import english_values
 from lispac.workflow.budget import budget_of
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
@@ -22,12 +24,12 @@ def budget(arguments: Namespace) -> None:
         )
     )
     if arguments.json:
-        print_json(asdict(found))
+        print_json(asdict(english_values(found)))
         return
     heads = "".join(f"{f'at {distance:g} m':>30s}" for distance in found.distances_m)
     columns = "".join(f"{name:>10s}" for name in ("horiz.", "vertical", "across"))
     for beam in found.beams:
-        print(f"{'beam ' + beam.beam:28s}{heads}")
+        print(f"{f'beam {beam.beam}':28s}{heads}")
         print(f"{'1 sigma, cm':28s}{columns * len(found.distances_m)}")
         for each in (*beam.sources, beam.before, beam.after):
             cells = "not known".rjust(30)
@@ -37,7 +39,7 @@ def budget(arguments: Namespace) -> None:
                     f"{100 * e.across_beam_m:10.2f}"
                     for e in each.at_distance
                 )
-            print(f"{each.source:28s}{cells}")
+            print(f"{each.source!s:28s}{cells}")
         print()
-    for sentence in found.in_words:
-        print(sentence)
+    for assumption in found.in_words:
+        print(message_text(assumption))

@@ -11,6 +11,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from lispac.progress import Step
     from lispac.project import Project
 
 
@@ -26,13 +27,13 @@ class ConsoleProgress:
         self._width = 0
         self._terminal = sys.stderr.isatty()
 
-    def __call__(self, fraction: float, message: str = "") -> None:
+    def __call__(self, fraction: float, step: "Step | None" = None) -> None:
         """Redraw at most ten times a second."""
         now = time.monotonic()
         if not self._terminal or now - self._shown < 0.1:
             return
         self._shown = now
-        text = f"{fraction:4.0%} {message}"
+        text = f"{fraction:4.0%} {step or ''}"
         print("\r" + text.ljust(self._width), end="", file=sys.stderr, flush=True)
         self._width = len(text)
 

@@ -15,9 +15,10 @@ from lispac.design.prediction import predict
 from lispac.design.search import Design, search
 from lispac.design.site import Site
 from lispac.io.plan_file import read_site
+from lispac.message_texts import message_text
 from lispac.simulation.closed_form import Board
 from lispac.workflow.campaign import mapper_of
-from lispac.workflow.designing import words_of, write_design
+from lispac.workflow.designing import remarks_on, write_design
 from lispac.workflow.simulated_setup import file_of
 
 
@@ -49,8 +50,8 @@ def design(arguments: Namespace) -> None:
         print(f"{name:12s}{told}")
     looked = f"{found.looked_at:,} plans looked at"
     print(f"{looked}, which is all there are" if found.exact else f"{looked}, of many more")
-    for sentence in words_of(found.plan):
-        print(sentence)
+    for remark in remarks_on(found.plan):
+        print(message_text(remark))
     print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'from level deg':>16s}")
     for target in found.plan.targets:
         along, off, up = site.wall.seen(target.centre)

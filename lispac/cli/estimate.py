@@ -39,7 +39,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import part
 from lispac.project import Project, Settings, require_prior_sigma
-from lispac.survey.conventions.words import boresight_words
+from lispac.survey.conventions.words import orientation_text
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, projects
 from lispac.workflow.qualities import qualities
@@ -395,7 +395,7 @@ def print_steep(result: AdjustmentResult) -> None:
         "The pitch is steep: roll and yaw can hardly be told apart. The sigmas are those of small "
         "rotations about the body axes (forward, left, down)."
     )
-    print(f"In words: {boresight_words(result.angles)}")
+    print(f"In words: {orientation_text(result.angles)}")
     print("Rotation matrix, LiDAR to body (forward, left, up):")
     for row in result.mounting.rotation_body_lidar:
         print("".join(f"{value:+14.8f}" for value in row))

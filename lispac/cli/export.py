@@ -5,12 +5,14 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.message_texts import message_text, note_text
 from lispac.workflow.export_request import system_of
 from lispac.workflow.exporting import (
+    SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
-    trajectory_datum_words,
+    trajectory_datum,
 )
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
@@ -45,10 +47,9 @@ def export(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         if what == "trajectory":
             paths = [export_trajectory(project, arguments.output, form)]
-            print(f"note: {trajectory_datum_words(project)}", file=sys.stderr)
+            print(f"note: {message_text(trajectory_datum(project))}", file=sys.stderr)
             if form == "sbet":
-                print("note: velocities, accelerations and rates in the SBET are zero, the wander "
-                      "angle is zero", file=sys.stderr)  # fmt: skip
+                print(f"note: {message_text(SBET_ZEROS)}", file=sys.stderr)
         else:
             survey = load_survey(project, progress=progress)
             names = arguments.targets or ()
@@ -66,8 +67,8 @@ def export(arguments: Namespace) -> None:
                     project, survey, arguments.output, arguments.boresight, system=system,
                     ending=form, names=names, progress=progress,
                 )  # fmt: skip
-                for note in () if system is None else system.assumptions:
-                    print(f"note: {note}", file=sys.stderr)
+                for note in () if system is None else system.notes:
+                    print(f"note: {note_text(note)}", file=sys.stderr)
     if arguments.json:
         print_json({"files": [str(path) for path in paths]})
         return

@@ -4,6 +4,7 @@ import sys
 from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.message_texts import note_text
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.projects import open_project
 
@@ -24,7 +25,7 @@ def georeference(arguments: Namespace) -> None:
             ending=arguments.format,
             progress=progress,
         )
-    notes = [note for done in written for note in (done.sentence, *done.notes) if note]
+    notes = [note_text(note) for done in written for note in done.all_notes]
     for note in dict.fromkeys(notes):
         print(f"note: {note}", file=sys.stderr)
     if arguments.json:

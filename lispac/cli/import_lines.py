@@ -6,6 +6,7 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.errors import Cancelled
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.workflow.importing import Imported, header_is_damaged
@@ -49,7 +50,7 @@ def import_lines(arguments: Namespace) -> None:
 
 def _check(found: list[Imported], progress: Progress) -> None:
     for item in found:
-        words = f"Checking {item.stored.name}"
+        words = gettext_lazy("Checking {line}", line=item.stored.name)
         item.stored.require_sound(lambda done, words=words: progress(done, words))  # type: ignore[misc]
         if header_is_damaged(item.stored):
             print(

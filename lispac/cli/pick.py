@@ -11,7 +11,7 @@ from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
 from lispac.doubles import overlap_with, overlap_words
-from lispac.message_texts import english_text, message_text
+from lispac.message_texts import english_text, message_text, note_text
 from lispac.project import Project, Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
@@ -56,7 +56,7 @@ def _pick(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
     found = judge_target(project, survey, target)
     double = overlap_words(target, project.targets)
     notes = (
-        *(() if system is None else system.assumptions), *notes_on(target, how["radius"]),
+        *(() if system is None else map(note_text, system.notes)), *notes_on(target, how["radius"]),
         *((double,) if double else ()),
     )  # fmt: skip
     for note in notes:

@@ -12,7 +12,7 @@ from lispac.design.prediction import predict as foretold
 from lispac.design.search import worth
 from lispac.io.plan_file import read_plan
 from lispac.message_texts import message_text
-from lispac.workflow.designing import cautions, words_of
+from lispac.workflow.designing import cautions, remarks_on
 
 
 def predict(arguments: Namespace) -> None:
@@ -20,7 +20,7 @@ def predict(arguments: Namespace) -> None:
     titled = read_plan(arguments.plan)
     plan = titled.plan
     found, valued = foretold(plan), worth(plan, Objective())
-    words = (*map(message_text, cautions(titled)), *words_of(plan))
+    remarks = (*cautions(titled), *remarks_on(plan))
     if arguments.json:
         determined = found.determined
         print_json(
@@ -34,7 +34,7 @@ def predict(arguments: Namespace) -> None:
                     for (target, line), count in found.points.items()
                 ],
                 "largest_sigma_without_deg": {v.name: known(v.without) for v in valued},
-                "words": list(words),
+                "words": list(map(message_text, remarks)),
             }
         )
         return
@@ -48,8 +48,8 @@ def predict(arguments: Namespace) -> None:
             f"correlation roll-pitch {rows[0, 1]:+.2f}, roll-yaw {rows[0, 2]:+.2f}, "
             f"pitch-yaw {rows[1, 2]:+.2f}"
         )
-    for sentence in words:
-        print(sentence)
+    for remark in remarks:
+        print(message_text(remark))
     print(f"{'points':12s}" + "".join(f"{course.name:>8s}" for course in plan.courses))
     for target in plan.targets:
         counts = (found.points.get((target.name, c.name)) for c in plan.courses)

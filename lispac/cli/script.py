@@ -4,6 +4,7 @@ import sys
 from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.message_texts import message_text
 from lispac.workflow.projects import open_project
 from lispac.workflow.script import save_script, script_of
 from lispac.workflow.survey import load_survey
@@ -18,11 +19,11 @@ def script(arguments: Namespace) -> None:
     if arguments.output is not None:
         save_script(made, arguments.output)
     if arguments.json:
-        print_json({"script": made.text, "remarks": list(made.remarks)})
+        print_json({"script": made.text, "remarks": list(map(message_text, made.remarks))})
     else:
         print(made.text if arguments.output is None else arguments.output, end="")
         if arguments.output is not None:
             print()
     sys.stdout.flush()
     for remark in made.remarks:
-        print(f"note: {remark}", file=sys.stderr)
+        print(f"note: {message_text(remark)}", file=sys.stderr)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.message_texts import message_text
 from lispac.report.blocks import Table
 from lispac.report.visibility_tables import all_errors_in_words, comparison_table
 from lispac.simulation.thesis_answers import Compared, compared_with_thesis
@@ -74,7 +75,7 @@ def _thesis(each: Compared) -> dict[str, Any]:
         **asdict(each.stated),
         "lines_agree": each.lines_agree,
         "inclination_agrees": each.inclination_agrees,
-        "reason": each.reason,
+        "reason": "" if each.reason is None else message_text(each.reason),
     }
 
 

@@ -2,17 +2,19 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
+from lispac.adjustment.message_parts import quantities, quantity
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.problem import RELEASED, Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.shapes import points_local
-from lispac.adjustment.shown import listed, parameter
+from lispac.messages import Message, note
 from lispac.simulation.closed_form import STEEPEST
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
@@ -91,46 +93,45 @@ def _foretold(
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
 
-def advice(observations: Observations, result: AdjustmentResult) -> str:
-    """The line that would help the least certain angle most, in a sentence.
+def advice(observations: Observations, result: AdjustmentResult) -> tuple[Message, ...]:
+    """The line that would lower the largest standard deviation most.
 
-    An angle that is known as well as a stated value, and no better whoever sails, is named as such,
-    and the next one is spoken of.
+    Angles whose standard deviation is mostly that of a given value are named first, since no line
+    lowers it; the line is for the next angle.
     """
     lines = further_lines(observations, result)
     if not lines:
-        return ""
+        return ()
     ruled = _ruled(observations, result)
-    said = []
+    found = []
     for k in np.argsort(-result.sigma, kind="stable"):
         best = min(lines, key=lambda line: float(line.sigma[k]))
         helps = best.sigma[k] <= WORTH_IT * result.sigma[k]
         if not helps and ruled[k]:
-            said.append(
-                f"The sigma of {ANGLES[k]} is mostly that of the stated {listed(ruled[k])}, and no "
-                "further line lowers it."
+            parameters = quantities(ruled[k])
+            found.append(
+                note("further_line.prior", angle=quantity(ANGLES[k]), parameters=parameters)
             )
             continue
-        said.append(_line_for(result, best, int(k), helps=bool(helps)))
+        found.append(_line_for(result, best, int(k), helps=bool(helps)))
         break
-    return " ".join(said)
+    return tuple(found)
 
 
-def _line_for(result: AdjustmentResult, best: FurtherLine, angle: int, *, helps: bool) -> str:
-    now, then = np.degrees(result.sigma[angle]), np.degrees(best.sigma[angle])
-    metres = f"{best.distance:.0f}" if best.distance >= 10 else f"{best.distance:.1f}"
+def _line_for(result: AdjustmentResult, best: FurtherLine, angle: int, *, helps: bool) -> Message:
+    now, then = float(result.sigma[angle]), float(best.sigma[angle])
+    common: dict[str, Any] = {
+        "angle": quantity(ANGLES[angle]), "distance": best.distance, "now": now,
+    }  # fmt: skip
     if not helps:
-        return (
-            f"No single further line past these targets, {metres} m from their middle, would bring "
-            f"the sigma of {ANGLES[angle]} from {now:.3f} below {WORTH_IT * now:.3f} deg; targets "
-            "elsewhere, or the survey repeated later, when the POS error is another one, would."
-        )
-    side = "starboard" if best.to_starboard else "port"
-    return (
-        f"A further line headed {np.degrees(best.heading):.0f} deg{_off_wall(result, best)}, with "
-        f"the middle of the targets {metres} m to {side}, would bring the sigma of "
-        f"{ANGLES[angle]} from {now:.3f} to {then:.3f} deg."
-    )
+        return note("further_line.insufficient", limit=WORTH_IT * now, **common)
+    common |= {"heading": best.heading, "then": then}
+    if (face := _off_face(result, best)) is None:
+        code = "further_line.starboard" if best.to_starboard else "further_line.port"
+        return note(code, **common)
+    target, off = face
+    starboard, port = "further_line.starboard_of_face", "further_line.port_of_face"
+    return note(starboard if best.to_starboard else port, target=target, off=off, **common)
 
 
 def _ruled(observations: Observations, result: AdjustmentResult) -> tuple[list[str], ...]:
@@ -156,23 +157,23 @@ def _ruled(observations: Observations, result: AdjustmentResult) -> tuple[list[s
     for k in np.flatnonzero(floor > WORTH_IT * now):
         least = min(sigma[k] for sigma in alone.values())
         found[k] = [
-            parameter(name)
+            name
             for name, sigma in alone.items()
             if sigma[k] == least or sigma[k] < WORTH_IT * now[k]
         ]
     return found[0], found[1], found[2]
 
 
-def _off_wall(result: AdjustmentResult, line: FurtherLine) -> str:
-    """How the heading lies to the face of the most upright plane."""
+def _off_face(result: AdjustmentResult, line: FurtherLine) -> tuple[str, float] | None:
+    """The most upright plane, and the angle (radians) between its face and the heading."""
     planes = [target for target in result.targets if not target.sphere]
     if not planes:
-        return ""
+        return None
     upright = min(planes, key=lambda target: abs(float(target.plane[2])))
     north, west = upright.plane[:2]
     along = np.arctan2(north, west)  # heading along the face: at right angles to the normal
     off = abs((line.heading - along + np.pi / 2) % np.pi - np.pi / 2)
-    return f" ({np.degrees(off):.0f} deg off the face of {upright.target})"
+    return upright.target, float(off)
 
 
 def _with_line(

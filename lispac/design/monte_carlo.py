@@ -13,7 +13,7 @@ from lispac.design.prediction import UNDETERMINED, predict
 from lispac.design.search import Mapper
 from lispac.design.simulated_plan import simulated
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
-from lispac.language import N_, Plural, gettext, number
+from lispac.language import N_, Plural, gettext, gettext_lazy, number
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
@@ -217,7 +217,12 @@ def surveyed(
     try:
         for answer in mapper(trial, range(surveys)):
             found.append(answer)
-            progress(len(found) / surveys, f"Adjusted {len(found):,} of {surveys:,} surveys")
+            progress(
+                len(found) / surveys,
+                gettext_lazy(
+                    "Adjusted surveys: {count:n} of {total:n}", count=len(found), total=surveys
+                ),
+            )
     except Cancelled:
         if enough is None or len(found) < enough:
             raise

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from lispac.adjustment.stochastic import PosErrors
 from lispac.design.plan import SIX, Plan, System, pattern
 from lispac.design.prediction import predict
-from lispac.language import N_
+from lispac.language import N_, LazyText, Plural, gettext_lazy, in_english
 from lispac.progress import Progress, no_progress
 from lispac.simulation.closed_form import Board
 from lispac.simulation.pos_errors import PosErrorModel
 
 Array = NDArray[np.float64]
-Case = tuple[str, Plan]
+Case = tuple[LazyText, Plan]
 
 COMBINATIONS: dict[str, tuple[int, ...]] = {
     "0, 180": (0, 180),
@@ -32,7 +32,7 @@ COMBINATIONS: dict[str, tuple[int, ...]] = {
     "0, 180, 45, 135": (0, 180, 45, 135),
     "0, 180, 315, 225": (0, 180, 315, 225),
     "45, 225, 315, 135": (45, 225, 315, 135),
-    "all six": SIX,
+    N_("all six"): SIX,
 }
 """Headings in degrees against a wall that lies east."""
 
@@ -85,7 +85,7 @@ def line_combinations(plan: Plan) -> list[Case]:
     """Figure 4.12 (a): some of the six lines."""
     of = dict(zip(SIX, plan.lines, strict=False))
     return [
-        (name, plan.with_lines([of[heading] for heading in headings]))
+        (gettext_lazy(name), plan.with_lines([of[heading] for heading in headings]))
         for name, headings in COMBINATIONS.items()
         if set(headings) <= set(of)
     ]
@@ -93,12 +93,21 @@ def line_combinations(plan: Plan) -> list[Case]:
 
 def inclinations(plan: Plan) -> list[Case]:
     """Figure 4.12 (b): one board, from level to upright."""
-    return [(f"{lean:g} deg", plan.with_targets([thesis_board(lean)])) for lean in INCLINATIONS]
+    return [
+        (gettext_lazy("{angle:x.0} deg", angle=lean), plan.with_targets([thesis_board(lean)]))
+        for lean in INCLINATIONS
+    ]
 
 
 def sizes(plan: Plan) -> list[Case]:
     """Figure 4.12 (c): one upright board, small to large."""
-    return [(f"{100 * size:g} cm", plan.with_targets([thesis_board(size=size)])) for size in SIZES]
+    return [
+        (
+            gettext_lazy("{size:x.0} cm", size=100 * size),
+            plan.with_targets([thesis_board(size=size)]),
+        )
+        for size in SIZES
+    ]
 
 
 def target_combinations(plan: Plan) -> list[Case]:
@@ -109,14 +118,18 @@ def target_combinations(plan: Plan) -> list[Case]:
             replace(board, centre=(1.6 * (k - (len(leans) - 1) / 2), *board.centre[1:]))
             for k, board in enumerate(map(thesis_board, leans))
         ]
-        cases.append((" + ".join(f"{lean:g}" for lean in leans), plan.with_targets(boards)))
+        name = " + ".join(f"{lean:g}" for lean in leans)
+        cases.append((gettext_lazy(name), plan.with_targets(boards)))
     return cases
 
 
 def distances(plan: Plan) -> list[Case]:
     """All lines nearer or farther: a position error turns a far target less."""
     return [
-        (f"{d:g} m", plan.with_lines([replace(line, distance=d) for line in plan.lines]))
+        (
+            gettext_lazy("{distance:m.0} m", distance=d),
+            plan.with_lines([replace(line, distance=d) for line in plan.lines]),
+        )
         for d in DISTANCES
     ]
 
@@ -126,7 +139,7 @@ def heights(plan: Plan) -> list[Case]:
     middle = float(np.mean([target.centre[2] for target in plan.targets]))
     return [
         (
-            f"{h:g} m",
+            gettext_lazy("{distance:m.1} m", distance=h),
             plan.with_targets(
                 [replace(t, centre=(*t.centre[:2], t.centre[2] - middle + h)) for t in plan.targets]
             ),
@@ -137,13 +150,19 @@ def heights(plan: Plan) -> list[Case]:
 
 def repeats(plan: Plan) -> list[Case]:
     """All lines once more and once more: the POS error is another one by then."""
-    return [("once" if n == 1 else f"{n} times", plan.with_lines(plan.lines * n)) for n in REPEATS]
+    return [
+        (gettext_lazy(Plural("once", "{count:n} times"), count=n), plan.with_lines(plan.lines * n))
+        for n in REPEATS
+    ]
 
 
 def speeds(plan: Plan) -> list[Case]:
     """All lines slower or faster: fewer points."""
     return [
-        (f"{v:g} m/s", plan.with_lines([replace(line, speed=v) for line in plan.lines]))
+        (
+            gettext_lazy("{speed:x.1} m/s", speed=v),
+            plan.with_lines([replace(line, speed=v) for line in plan.lines]),
+        )
         for v in SPEEDS
     ]
 
@@ -151,7 +170,8 @@ def speeds(plan: Plan) -> list[Case]:
 def grades(plan: Plan) -> list[Case]:
     """Another POS."""
     return [
-        (name, replace(plan, system=replace(plan.system, pos=pos))) for name, pos in GRADES.items()
+        (gettext_lazy(name), replace(plan, system=replace(plan.system, pos=pos)))
+        for name, pos in GRADES.items()
     ]
 
 
@@ -178,7 +198,9 @@ class Outcome:
 
     Attributes
     ----------
-    scenario, case : str
+    scenario : str
+    label : LazyText
+        What is changed in this case.
     pos_errors : {"independent", "correlated"}
     sigma : ndarray of shape (3,), radians
         Of roll, pitch, yaw; infinite where not all three are determined.
@@ -187,10 +209,15 @@ class Outcome:
     """
 
     scenario: str
-    case: str
+    label: LazyText
     pos_errors: PosErrors
     sigma: Array
     points: float
+
+    @property
+    def case(self) -> str:
+        """Name of the case in English, as files have it."""
+        return in_english(self.label)
 
 
 def outcomes(
@@ -211,14 +238,15 @@ def outcomes(
     """
     found = []
     for k, scenario in enumerate(scenarios):
-        progress(k / len(scenarios), f"Scenario: {scenario}")
+        name = gettext_lazy(scenario)
+        progress(k / len(scenarios), gettext_lazy("Scenario: {scenario}", scenario=name))
         base = plan
         if scenario in OF_THE_THESIS:
             base = replace(thesis_setting(), system=plan.system, flatness=plan.flatness)
-        for case, changed in SCENARIOS[scenario](base):
+        for label, changed in SCENARIOS[scenario](base):
             for errors in STATED:
                 told = predict(replace(changed, system=replace(changed.system, pos_errors=errors)))
                 points = sum(told.points.values())
-                found.append(Outcome(scenario, case, errors, told.sigma, points))
-    progress(1.0, "Scenarios done")
+                found.append(Outcome(scenario, label, errors, told.sigma, points))
+    progress(1.0)
     return tuple(found)

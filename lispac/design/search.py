@@ -19,6 +19,7 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.site import Site
 from lispac.errors import RankDeficient
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
@@ -135,7 +136,7 @@ def search(
     prediction = predict(plan)
     if not prediction.determined or space.value(chosen) >= NO_PLAN:
         raise RankDeficient(error("design.no_plan"))
-    progress(0.95, "Weighing what each board and line is worth")
+    progress(0.95, gettext_lazy("Computing the information gain"))
     return Design(
         plan,
         prediction,
@@ -181,7 +182,11 @@ class _Counted:
                 done = min(self.count / self.expected, 1.0)
                 self.progress(
                     0.9 * done,
-                    f"Looked at {self.count:,} plans, the best {np.degrees(self.best):.4f} deg",
+                    gettext_lazy(
+                        "Evaluated plans: {count:n}, best σ {best:deg.4}°",
+                        count=self.count,
+                        best=self.best,
+                    ),
                 )
         return found
 

@@ -68,8 +68,14 @@ def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None
     colours = {name: scale[_places(some, low, high, len(scale))] for name, some in values.items()}
     decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
     form, length = f",.{decimals}f", colouring in ("height", "range")
-    metric = (f"{low - start:{form}}", f"{high - start:{form}}")
-    shown = (units.figure(low, "m", form), units.figure(high, "m", form)) if length else metric
+    metric = (
+        units.localised(f"{low - start:{form}}"), units.localised(f"{high - start:{form}}")
+    )  # fmt: skip
+    shown = (
+        (units.local_figure(low, "m", form), units.local_figure(high, "m", form))
+        if length
+        else metric
+    )
     return Shading(colours, gettext(TITLES[colouring]), *shown, scale, metric)
 
 

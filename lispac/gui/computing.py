@@ -9,11 +9,12 @@ from PySide6.QtCore import QObject, Signal
 from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
-from lispac.gui.language import say_message
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import N_, Plural, Template, gettext
+from lispac.message_texts import message_text, note_text
+from lispac.messages import Message
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -140,7 +141,7 @@ class Computing(QObject):
                 self._document.edit(_validation_name(model), validated, **_model_params(model))
                 self.validated.emit()
                 for reason in validated.not_compared.values():
-                    self._controller.noted.emit(say_message(reason))
+                    self._controller.noted.emit(message_text(reason))
                 compared = Plural(
                     "Compared the lines on {count:n} validation plane",
                     "Compared the lines on {count:n} validation planes",
@@ -193,15 +194,15 @@ class Computing(QObject):
         if project is None or survey is None:
             return
 
-        def work(progress: Progress) -> tuple[list[Path], tuple[str, ...]]:
+        def work(progress: Progress) -> tuple[list[Path], tuple[str | Message, ...]]:
             from lispac.workflow.export_request import export
 
             return export(project, survey, request, progress=progress)
 
-        def done(written: tuple[list[Path], tuple[str, ...]]) -> None:
+        def done(written: tuple[list[Path], tuple[str | Message, ...]]) -> None:
             paths, notes = written
             for note in notes:
-                self._controller.noted.emit(note)
+                self._controller.noted.emit(note_text(note))
             wrote = Plural("Wrote {path}", "Wrote {path} ({count:n} files)")
             self._controller.noted.emit(gettext(wrote, count=len(paths), path=request.output))
 

@@ -6,9 +6,8 @@ from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
-from lispac.gui.language import say
 from lispac.gui.tabbing import go_into
-from lispac.language import N_, gettext, raw_text
+from lispac.language import N_, gettext
 
 Area = Qt.DockWidgetArea
 Docks = dict[str, QDockWidget]
@@ -113,11 +112,7 @@ def hide_floating(docks: Mapping[str, QDockWidget]) -> None:
 
 
 def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
-    dock = QDockWidget(_translated(title), window)
+    dock = QDockWidget(gettext(title), window)
     dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
     dock.setWidget(panel)
     return dock
-
-
-def _translated(title: str) -> str:
-    return gettext(title) if raw_text(title, {}) != title else say(title)

@@ -13,7 +13,7 @@ from lispac.gui.document import Document, data_key
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import Task, TaskRunner
-from lispac.language import N_, Plural, gettext
+from lispac.language import N_, Plural, gettext, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.progress import Progress, part
@@ -276,6 +276,6 @@ def _adjusted(
     elapsed = perf_counter() - started
     # The checks hold the very result they stand beside.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
-    progress(0.95, gettext("Placing the lines with the estimated boresight"))
+    progress(0.95, gettext_lazy("Placing the lines with the estimated boresight"))
     clouds = survey.shown(estimated, "estimated", progress=part(progress, 0.95, 1.0))
     return _Answer(estimated, selection, clouds, None)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLibraryInfo, QLocale, QTranslator
 from PySide6.QtWidgets import QApplication
 
-from lispac.language import is_translated, number, short_datetime, use_language
+from lispac.language import N_, gettext, is_translated, short_datetime, use_language
 from lispac.messages import Message
 from lispac.project import Project
 from lispac.reverse_translation.catalogue import catalogue_of
@@ -30,9 +30,9 @@ _of_plan: frozenset[str] = frozenset()
 _qt: list[QTranslator] = []
 
 LACKING = {
-    "QFileDialog": ("&Look in:", "Files of &type:"),
+    "QFileDialog": (N_("&Look in:"), N_("Files of &type:")),
     "QAbstractFileIconProvider": (
-        "Drive", "Folder", "File Folder", "Shortcut", "Alias", "Unknown",
+        N_("Drive"), N_("Folder"), N_("File Folder"), N_("Shortcut"), N_("Alias"), N_("Unknown"),
     ),
 }  # fmt: skip
 """Texts of Qt's file dialogue that its own translation has not, by their contexts."""
@@ -49,7 +49,7 @@ class _Rest(QTranslator):
         self, context: str, source: str, disambiguation: str | None = None, n: int = -1
     ) -> str | None:
         """The text in the user's language; None where it is not one of these."""
-        return say(source) if source in LACKING.get(context, ()) else None
+        return gettext(source) if source in LACKING.get(context, ()) else None
 
 
 def speak(code: str) -> None:
@@ -108,13 +108,6 @@ def _names(project: Project) -> Iterable[str]:
             yield path.name
     for target in project.targets:
         yield target.name
-
-
-def local_number(figure: str, *, sign: bool = False) -> str:
-    """A figure in English notation as the user's language writes it; ``sign`` for a plus too."""
-    if "e" in figure:
-        return figure
-    return number(float(figure.replace(",", "")), len(figure.partition(".")[2]), sign=sign)
 
 
 def say(text: str) -> str:

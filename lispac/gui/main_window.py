@@ -17,7 +17,7 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
-from lispac.gui.language import language, leave_alone, say
+from lispac.gui.language import language, leave_alone
 from lispac.gui.life import ProjectLife
 from lispac.gui.logbook import LOG
 from lispac.gui.logbook import NAME as LOG_NAME
@@ -292,12 +292,12 @@ class MainWindow(QMainWindow):
         )
 
     def _note_cancelled(self, task: str) -> None:
-        self._note(gettext("{task}: cancelled", task=say(task)))
+        self._note(gettext("{task}: cancelled", task=task))
 
     def _note(self, text: str) -> None:
         LOG.info(text)
         self.log.note(text)
-        self.task_bar.showMessage(say(text), NOTE_MS)
+        self.task_bar.showMessage(text, NOTE_MS)
 
     # -- what is asked -----------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from lispac.gui import units
 from lispac.gui.actions import Actions
 from lispac.gui.pointing import Pointing
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
-from lispac.language import N_, gettext, mark_translated
+from lispac.language import N_, gettext
 
 COLOUR: Colour = (0, 90, 200)
 SKETCH = "measure"
@@ -74,7 +74,6 @@ class Measuring(QObject):
                 self.restart()
                 return
             one_line = text.replace("\n", ", ")
-            mark_translated(one_line)
             self._note(one_line)
         hints = (*HINTS[tool], AGAIN)
         self._pointing.hint(gettext(hints[len(self._points)]))

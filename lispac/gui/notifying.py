@@ -7,10 +7,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication, QMainWindow, QSystemTrayIcon
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.tasks import Task, TaskRunner
-from lispac.language import N_, gettext
-from lispac.survey.store.pace import spoken
+from lispac.language import N_, duration_text, gettext
 
 LONG = 10.0
 """Seconds; shorter tasks are not notified."""
@@ -47,7 +45,7 @@ class Notifying(QObject):
                 template = N_("{task}: completed after {time}")
             else:
                 template = N_("{task}: failed after {time}")
-            self._tell(gettext(template, task=say(ended.title), time=spoken(took)))
+            self._tell(gettext(template, task=ended.title, time=duration_text(took)))
 
     def _notify(self, text: str) -> None:
         QApplication.alert(self._window)  # the window's entry in the task bar asks to be looked at

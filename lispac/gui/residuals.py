@@ -136,5 +136,5 @@ def residual_shading(
 
 
 def _ends(reach: float) -> tuple[str, str]:
-    end = units.figure(1000 * reach, "mm", ".1f" if reach < 0.02 else ".0f")
+    end = units.local_figure(1000 * reach, "mm", ".1f" if reach < 0.02 else ".0f")
     return f"\N{MINUS SIGN}{end}", f"+{end}"

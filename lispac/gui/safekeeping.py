@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
-from lispac.gui.language import say_message, say_moment
+from lispac.gui.language import say_moment
 from lispac.io.project_file import forget_unsaved, keep_unsaved
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.project import Project
 from lispac.workflow.moved import with_files_of
@@ -173,7 +174,7 @@ class Safekeeping(QObject):
         trouble = error("window.unsaved_work_not_kept", reason=reason)
         if trouble != self.trouble:
             self._tell(trouble)
-            self._note(say_message(trouble))
+            self._note(message_text(trouble))
 
     def _tell(self, trouble: Message | None) -> None:
         self.trouble = trouble

@@ -109,7 +109,7 @@ class Sections(QObject):
         name = selected[0] if selected is not None and known and selected[0] in known else None
         ready = survey is not None and self._document.survey_is_current
         if project is None or survey is None or not ready or not (ends or name):
-            self._show_nothing(EMPTY)
+            self._show_nothing(gettext(EMPTY))
             return
         level, size, thickness = panel.level, panel.size.value(), panel.thickness.value()
         target = project.target(name) if name else None

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.doubles import doubts_of
-from lispac.gui.language import say_message
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
@@ -14,7 +13,7 @@ from lispac.workflow.survey import Survey
 
 State = Literal["empty", "todo", "done", "warning"]
 
-STEPS = ("Data", "Targets", "Adjust", "Validate", "Report")
+STEPS = (N_("Data"), N_("Targets"), N_("Adjust"), N_("Validate"), N_("Report"))
 """Names of the steps, as in `Cause`."""
 STEP_TITLES = (
     N_("1  Data"), N_("2  Targets"), N_("3  Adjust"), N_("4  Validate"), N_("5  Report"),
@@ -237,7 +236,7 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
             "done" if better == total and not not_compared else "warning",
             sentence,
             "\n".join(
-                [gettext("The histograms are below."), *map(say_message, not_compared.values())]
+                [gettext("The histograms are below."), *map(message_text, not_compared.values())]
             ),
             ready=project.result is not None and survey is not None,
         )

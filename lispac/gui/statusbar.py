@@ -1,17 +1,15 @@
 """Status bar: progress and time left of the running task, its Cancel button, the last note."""
 
-import re
 import time
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.warnings import WarningsButton
 from lispac.gui.tasks import Task
-from lispac.language import gettext
-from lispac.survey.store.pace import spoken
+from lispac.language import duration_text, gettext
+from lispac.progress import PointStep
 
 QUIET_FOR = 0.3
 """Seconds a quiet task may take before it is shown."""
@@ -57,30 +55,24 @@ class TaskBar(QStatusBar):
         if task is None or not shown:
             return
         if task.cancel.is_set():
-            self.text.setText(gettext("{task}: stopping…", task=say(task.title)))
+            self.text.setText(gettext("{task}: stopping…", task=task.title))
         else:
             self.text.setText(_progress_text(task))
         self.bar.setValue(round(task.fraction * 1000))
         self.cancel.setEnabled(not task.cancel.is_set())
 
 
-STEP_TIME_LEFT = re.compile(r", [^,]+ left$")
-"""Time left for one step of a task, such as a line that is read, at the end of its message."""
-
-
 def _progress_text(task: Task) -> str:
     """What the task does, its rate and the time left for all of it."""
-    message = task.message or task.title
+    step = task.title if task.step is None else task.step
     elapsed = time.monotonic() - task.started
     left = task.seconds_left()
     if left is None or elapsed <= 1.0:
-        return say(message)
-    time_left = spoken(left)
-    if STEP_TIME_LEFT.search(message):  # such a message has a rate as well
-        return "  ·  ".join(
-            (say(STEP_TIME_LEFT.sub("", message)), gettext("{time} left", time=time_left))
-        )
+        return str(step)
+    time_left = duration_text(left)
+    if isinstance(step, PointStep) and step.rate is not None:
+        return "  ·  ".join((step.without_time_left(), gettext("{time} left", time=time_left)))
     pace = gettext(
         "{rate:percent.0} %/s, {time} left", rate=task.fraction / elapsed, time=time_left
     )
-    return f"{say(message)}  ·  {pace}"
+    return f"{step}  ·  {pace}"

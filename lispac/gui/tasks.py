@@ -18,10 +18,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.errors import Cancelled
-from lispac.gui.language import say
 from lispac.gui.tidying import GivingBack
 from lispac.language import gettext
-from lispac.progress import Progress
+from lispac.progress import Progress, Step
 
 REFRESH_MS = 50
 
@@ -51,18 +50,18 @@ class Task:
     gave_way: bool = False
     cancel: threading.Event = field(default_factory=threading.Event)
     fraction: float = 0.0
-    message: str = ""
+    step: Step | None = None
     started: float = 0.0
     value: Any = None
     error: BaseException | None = None
 
-    def report(self, fraction: float, message: str = "") -> None:
+    def report(self, fraction: float, step: Step | None = None) -> None:
         """The `progress` the work is given."""
         if self.cancel.is_set():
             raise Cancelled
         self.fraction = min(max(fraction, 0.0), 1.0)
-        if message:
-            self.message = message
+        if step is not None:
+            self.step = step
 
     def let_go(self) -> None:
         """Keep that it was, and how it ended: not the lines it worked on, nor what it found."""
@@ -208,9 +207,7 @@ class TaskRunner(QObject):
             else:
                 if task.cancel.is_set():
                     self.too_late.emit(
-                        gettext(
-                            "{task}: completed before it could be cancelled", task=say(task.title)
-                        )
+                        gettext("{task}: completed before it could be cancelled", task=task.title)
                     )
                 if task.shows:
                     self.changed.emit()

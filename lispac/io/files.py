@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError, LispacError
+from lispac.errors import InputError, LispacError, system_reason
 from lispac.foreign_values import LARGEST_QUANTITY
 from lispac.io.packed import require_unpacked
 from lispac.locks import is_locked, try_lock
@@ -304,7 +304,7 @@ def _patience(path: Path) -> float:
 
 def not_written(path: Path, failure: OSError) -> InputError:
     """Make the error of a file that cannot be written."""
-    reason = failure.strerror or str(failure)
+    reason = system_reason(failure)
     if failure.errno in (errno.ENOSPC, errno.EDQUOT):
         return InputError(error("file.disk_full", file=str(path), reason=reason))
     return InputError(error("file.not_writable", file=str(path), reason=reason))

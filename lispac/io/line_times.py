@@ -12,6 +12,7 @@ from lispac.errors import InputError
 from lispac.io.las_chunks import opened, point_count
 from lispac.io.points import FRAME, SCANNER, plainly, require_times, scale_of, usable_points
 from lispac.io.registry import Choice, Format, PointChunk
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.survey.recovery import require_scanner_frame
@@ -119,7 +120,10 @@ def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Pro
         start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
         parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // KEPT)]))
         total = chunk.total
-        progress(done / max(total or 2 * done, 1), f"{path.name}: {done:,} points looked at")
+        progress(
+            done / max(total or 2 * done, 1),
+            gettext_lazy("Examining {file}: {count:n} points", file=path.name, count=done),
+        )
         if clock.monotonic() - started > LONGEST:
             ended = total is not None and read >= total
             break
@@ -143,7 +147,15 @@ def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Arr
     parts, places = [], []
     with plainly(path, "LAS or LAZ"), opened(path) as reader:
         for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
-            progress(k / BLOCKS, f"{path.name}: {k} of {BLOCKS} places looked at")
+            progress(
+                k / BLOCKS,
+                gettext_lazy(
+                    "Examining {file}: {count:n} of {total:n} places",
+                    file=path.name,
+                    count=k,
+                    total=BLOCKS,
+                ),
+            )
             reader.seek(int(first))
             points = reader.read_points(BLOCK)
             parts.append(np.array(points.gps_time, dtype=np.float64))

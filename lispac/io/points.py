@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import Cancelled, InputError, LispacError
+from lispac.errors import Cancelled, InputError, LispacError, system_reason
 from lispac.io.files import kind_of_file, require_file
 from lispac.io.registry import NOT, Choice, Option, PointChunk
 from lispac.messages import Action, Message, error, warning
@@ -170,7 +170,7 @@ def plainly(path: Path, what: str) -> Iterator[None]:
     except OSError as failure:
         if failure.errno is None:  # gzip's word for damaged data
             raise damaged(path, what, failure) from failure
-        reason = failure.strerror or str(failure)
+        reason = system_reason(failure)
         raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
     except Exception as failure:
         raise damaged(path, what, failure) from failure

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
-from lispac.errors import InputError, ProjectChanged, ProjectError
+from lispac.errors import InputError, ProjectChanged, ProjectError, system_reason
 from lispac.foreign_values import InvalidContentError, json_values
 from lispac.identity import Identity
 from lispac.io.consistency import require_consistent, require_single_names
@@ -252,7 +252,7 @@ def _read(path: Path) -> Project:
         try:
             content = path.read_bytes()
         except OSError as failure:
-            reason = failure.strerror or str(failure)
+            reason = system_reason(failure)
             raise ProjectError(
                 error("project.unreadable", file=str(path), reason=reason)
             ) from failure

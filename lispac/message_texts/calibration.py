@@ -140,4 +140,33 @@ TEXTS: Mapping[str, Template] = {
         "No two of the planes found determine the boresight. Put up a board of another "
         "inclination, or set seeds by hand."
     ),
+    # -- error budget ------------------------------------------------------------------------------
+    "budget.geometry": N_(
+        "Standard deviations of a point for a level vessel that heads north; distances are from "
+        "the scanner. Horizontal and across the beam are root sums of squares of two directions."
+    ),
+    "budget.pos": N_(
+        "POS: median of the accuracies on the lines, {north:mm.1}, {east:mm.1}, {up:mm.1} mm "
+        "(north, east, up) and {roll:deg.4}, {pitch:deg.4}, {heading:deg.4} deg (roll, pitch, "
+        "heading)."
+    ),
+    "budget.boresight": N_(
+        "Boresight before is not a standard deviation, but the distance between points placed with "
+        "the prior and with the estimated angles. Boresight after follows from their covariance."
+    ),
+    "budget.lidar_per_axis": N_(
+        "The LiDAR noise is given per axis. Given for range and beam direction, it would grow with "
+        "the distance."
+    ),
+    "budget.lever_arm_estimated": N_(
+        "Of the lever arm only the estimated components are included, with their covariance."
+    ),
+    "budget.lever_arm_unknown": N_(
+        "The uncertainty of the lever arm is not given and not included."
+    ),
+    "budget.latency": N_(
+        "Latency: at the speed of the lines, {speed:x.1} m/s, and their RMS rotation rates, "
+        "{roll:deg.2}, {pitch:deg.2}, {heading:deg.2} deg/s (roll, pitch, heading)."
+    ),
+    "budget.no_latency": N_("A latency was not estimated and is not included."),
 }

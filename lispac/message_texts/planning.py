@@ -15,6 +15,59 @@ TEXTS: Mapping[str, Template] = {
         "({first:s.3} to {last:s.3} s) has no states or a gap. Give start_s and stop_s within it, "
         "in its own time."
     ),
+    # -- comparison with the thesis ----------------------------------------------------------------
+    "visibility.differs": N_("{reason} The lines differ by {differences:names}."),
+    "visibility.unknown_reason": N_("The reason is not known."),
+    "visibility.roll_facing": N_(
+        "The choice of table 3.2 lies near the board that faces the beams (-20 deg here), where a "
+        "roll error moves points along it. Appendix C.2.1 gives -40 and then 30 deg for the same "
+        "figure; 30 is the upper end of what it keeps, and so is the best here."
+    ),
+    "visibility.offset_as_roll": N_(
+        "With the scanner along the body axes this offset is a roll, to the last digit; the thesis "
+        "has -40 deg for one and -50 for the other, and 30 in appendix C.2.7, where the error is 1 "
+        "and not 2 deg."
+    ),
+    "visibility.offset_not_kept": N_(
+        "Table 3.2 chooses an inclination that appendix C.2.6 does not keep (-40 to 10 deg). At "
+        "-60 deg parallel and diagonal lines meet the board at nearly equal angles, so that the "
+        "offset shifts both alike."
+    ),
+    "visibility.leaning_back": N_(
+        "A board that leans back shows roll more than an upright one, since beams rise to it by "
+        "18 deg. The thesis considers 0 to 90 deg only, and of these the upright one is best here "
+        "too."
+    ),
+    # -- further line ------------------------------------------------------------------------------
+    "further_line.port": N_(
+        "A further line at heading {heading:deg.0} deg, with the centre of the targets "
+        "{distance:m.1} m to port, would lower the sigma of {angle} from {now:deg.3} to "
+        "{then:deg.3} deg."
+    ),
+    "further_line.starboard": N_(
+        "A further line at heading {heading:deg.0} deg, with the centre of the targets "
+        "{distance:m.1} m to starboard, would lower the sigma of {angle} from {now:deg.3} to "
+        "{then:deg.3} deg."
+    ),
+    "further_line.port_of_face": N_(
+        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
+        "with the centre of the targets {distance:m.1} m to port, would lower the sigma of {angle} "
+        "from {now:deg.3} to {then:deg.3} deg."
+    ),
+    "further_line.starboard_of_face": N_(
+        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
+        "with the centre of the targets {distance:m.1} m to starboard, would lower the sigma of "
+        "{angle} from {now:deg.3} to {then:deg.3} deg."
+    ),
+    "further_line.insufficient": N_(
+        "No single further line past these targets, {distance:m.1} m from their centre, would "
+        "lower the sigma of {angle} from {now:deg.3} below {limit:deg.3} deg. Add targets "
+        "elsewhere, or repeat the survey later, when the POS error is different."
+    ),
+    "further_line.prior": N_(
+        "The sigma of {angle} is mostly that of the given {parameters:names}; no further line "
+        "lowers it."
+    ),
     # -- survey design -----------------------------------------------------------------------------
     "design.undetermined": N_(
         "This plan does not determine the boresight. Add lines in other directions."
@@ -49,6 +102,7 @@ TEXTS: Mapping[str, Template] = {
     "design.lines_too_close": N_(
         "No heading and distance keep {closest:m} m from the wall. Allow others."
     ),
+    "plan.empty": N_("Add a target and at least two lines."),
     "plan.line_through_wall": N_(
         "Line {line:n} runs through the wall, up to {distance:m.1} m behind it. Move it farther "
         "from the wall or change its heading."

@@ -24,4 +24,14 @@ TEXTS: Mapping[str, Template] = {
     "installation.file_missing": N_(
         "{name} is missing from this installation. Install the program again."
     ),
+    # -- errors of the system ----------------------------------------------------------------------
+    "system.not_found": N_("No such file or directory"),
+    "system.input_output": N_("Input/output error"),
+    "system.permission": N_("Permission denied"),
+    "system.not_a_folder": N_("Not a directory"),
+    "system.is_a_folder": N_("Is a directory"),
+    "system.disk_full": N_("No space left on device"),
+    "system.read_only": N_("Read-only file system"),
+    "system.long_name": N_("File name too long"),
+    "system.quota": N_("Disk quota exceeded"),
 }

@@ -137,6 +137,40 @@ TEXTS: Mapping[str, Template] = {
         "give their new location: lispac locate, or open the project in the window."
     ),
     # -- history -------------------------------------------------------------------------------
+    "repeat.same_lines": N_(
+        "{name} has the same lines as {other}: the two are not independent, and all together "
+        "counts them once."
+    ),
+    "repeat.shared_lines": Plural(
+        "{name} has {count:n} line in common with {other}, so the two are not independent: they "
+        "agree better than two surveys would, and their mean is less certain than stated.",
+        "{name} has {count:n} lines in common with {other}, so the two are not independent: they "
+        "agree better than two surveys would, and their mean is less certain than stated.",
+    ),
+    "repeat.lever_arm": N_(
+        "{name} has another lever arm than {other}: part of the difference may come from it."
+    ),
+    "repeat.pos_errors": N_(
+        "{name} and {other} have different models of the POS errors: their sigmas are not "
+        "comparable."
+    ),
+    "script.missing_files": N_("The script needs files that are missing: {files:names}."),
+    "script.estimate_refused": N_(
+        "The project has angles, but they cannot be estimated now: {reason}"
+    ),
+    "script.other_angles": N_(
+        "The angles of the project differ from those of this script, by up to "
+        "{difference:deg.4} deg ({angle}): they follow from points selected earlier, or from "
+        "another version. Estimate again in the project to get those of the script."
+    ),
+    "script.no_reference": N_(
+        "The reference {file} was not found beside the lines. Enter its path in the step "
+        "project.check, with its sigma and crs if they were given, and remove the #."
+    ),
+    "script.other_check": N_(
+        "The check against {file} gives other numbers here: its coordinates were assumed in "
+        "{system}. Enter crs, sigma and other options of that check in the step project.check."
+    ),
     "history.no_folder": N_("{folder}: there is no such folder."),
     "history.no_project": N_(
         "{folders:names}: there is no project in it. Give a folder that holds projects."
@@ -147,6 +181,19 @@ TEXTS: Mapping[str, Template] = {
     ),
     "history.none_and_excluded": N_("{reason} Not used: {excluded}"),
     "history.excluded": N_("Not used: {reason}"),
+    "history.same_lines": N_("Not used: {folder}, which has the same lines as {other}."),
+    "history.unnamed_system": N_(
+        "These projects do not name vessel, scanner and INS/GNSS: whether they belong to one "
+        "system is not known. Enter them in the details for the report."
+    ),
+    "history.first": N_("{name} is the first."),
+    "history.moved": N_(
+        "{name} differs from the earlier ones ({difference}): the mounting has moved, or one of "
+        "the calibrations is wrong. A new series begins."
+    ),
+    "history.within_limits": N_(
+        "{name} lies within the limits of the earlier ones (largest difference: {difference})."
+    ),
     "history.no_result": N_("{project} has no result yet."),
     "history.no_date": N_(
         "{project} has no date. Set it with lispac identity {project} --dates, or in Details "

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import AdjustmentError
+from lispac.language import N_, gettext_lazy
 from lispac.messages import error
 from lispac.patchtest.mismatch import SCALE, Block, Mismatch
 from lispac.patchtest.sample import Sample
@@ -29,6 +30,7 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 
 ANGLES = ("roll", "pitch", "yaw")
+OPTIMISING = (N_("Optimising roll"), N_("Optimising pitch"), N_("Optimising yaw"))
 UNDETERMINED = ("patch_test.no_roll", "patch_test.no_pitch", "patch_test.no_yaw")
 """Code of the message that an angle is not determined."""
 SCALES = (0.5, 0.2, SCALE)
@@ -90,7 +92,7 @@ def minimise(
     for stage, scale in enumerate(SCALES):
         mismatch = whole.with_scale(scale)
         for number in range(STEPS):
-            progress((stage + number / STEPS) / len(SCALES), "Turning the angles")
+            progress((stage + number / STEPS) / len(SCALES), gettext_lazy("Optimising the angles"))
             step = _step(mismatch, boresight, turned)
             boresight[turned] += step
             settled = bool(np.abs(step).max() <= SETTLED)
@@ -122,7 +124,7 @@ def one_after_another(
         mismatch = whole.with_scale(SCALES[min(rounds - 1, len(SCALES) - 1)])
         before = boresight.copy()
         for angle in range(3):
-            progress((rounds - 1 + angle / 3) / ROUNDS, f"Turning the {ANGLES[angle]}")
+            progress((rounds - 1 + angle / 3) / ROUNDS, gettext_lazy(OPTIMISING[angle]))
             boresight[angle] += _step(mismatch, boresight, [angle])[0]
         moved = float(np.abs(boresight - before).max())
         if rounds >= len(SCALES) and moved <= SETTLED:

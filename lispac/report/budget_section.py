@@ -1,6 +1,7 @@
 """The tables of the error budget of a point at a distance."""
 
 from lispac.language import gettext
+from lispac.message_texts import message_text
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, rows
 from lispac.report.budget_values import BeamErrors, Budget, ErrorSource
 from lispac.report.wording import UNKNOWN, cm, shortest
@@ -12,7 +13,7 @@ def budget_blocks(found: Budget) -> list[Block]:
     return [
         *blocks,
         Paragraph(gettext("Assumptions of the error budget:")),
-        Bullets(found.in_words),
+        Bullets(tuple(map(message_text, found.in_words))),
     ]
 
 
@@ -27,7 +28,7 @@ def _table(found: Budget, beam: BeamErrors) -> Table:
         gettext("Error of a point, 1 sigma, beam {beam} (cm)", beam=beam.beam),
         columns,
         rows(
-            [each.source, *_cells(each, len(found.distances_m))]
+            [str(each.source), *_cells(each, len(found.distances_m))]
             for each in (*beam.sources, beam.before, beam.after)
         ),
     )

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 
 from lispac.adjustment.error_budget import BeamBudget, ErrorBudget, SourceBudget, Spread
+from lispac.language import LazyText, gettext_lazy
+from lispac.messages import Message
 
 
 @dataclass(frozen=True)
@@ -24,21 +26,24 @@ class PointError:
 class ErrorSource:
     """One source, or all together, at each distance; None where it is not known."""
 
-    source: str
+    source: LazyText
     at_distance: tuple[PointError, ...] | None
 
     @classmethod
     def of(cls, values: SourceBudget) -> "ErrorSource":
         """The same figures."""
         spreads = values.spreads
-        return cls(values.source, None if spreads is None else tuple(map(PointError.of, spreads)))
+        return cls(
+            gettext_lazy(values.source),
+            None if spreads is None else tuple(map(PointError.of, spreads)),
+        )
 
 
 @dataclass(frozen=True)
 class BeamErrors:
     """All sources for one direction of the beam."""
 
-    beam: str
+    beam: LazyText
     sources: tuple[ErrorSource, ...]
     before: ErrorSource
     after: ErrorSource
@@ -47,7 +52,7 @@ class BeamErrors:
     def of(cls, values: BeamBudget) -> "BeamErrors":
         """The same figures."""
         return cls(
-            values.beam,
+            gettext_lazy(values.beam),
             tuple(map(ErrorSource.of, values.sources)),
             ErrorSource.of(values.before),
             ErrorSource.of(values.after),
@@ -60,9 +65,10 @@ class Budget:
 
     distances_m: tuple[float, ...]
     beams: tuple[BeamErrors, ...]
-    in_words: tuple[str, ...]
+    in_words: tuple[Message, ...]
 
     @classmethod
     def of(cls, values: ErrorBudget) -> "Budget":
         """The same figures."""
-        return cls(values.distances, tuple(map(BeamErrors.of, values.beams)), values.in_words)
+        beams = tuple(map(BeamErrors.of, values.beams))
+        return cls(values.distances, beams, values.assumptions)

@@ -16,7 +16,7 @@ from lispac.adjustment.observability import one_facing
 from lispac.adjustment.older import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
-from lispac.language import N_
+from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import Message
 from lispac.methods import answers, sentences
 from lispac.progress import Progress, no_progress, part
@@ -50,7 +50,7 @@ from lispac.report.values import (
     SightingJudged,
     TargetFit,
 )
-from lispac.survey.conventions.words import boresight_words
+from lispac.survey.conventions.words import orientation_text
 from lispac.survey.source import printable
 from lispac.targets.quality import SightingQuality
 
@@ -175,7 +175,10 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
             while block := stream.read(1 << 22):
                 digest.update(block)
                 done += len(block)
-                progress(min(1.0, done / size), f"Reading {path.name} for its digest")
+                progress(
+                    min(1.0, done / size),
+                    gettext_lazy("Reading {file} for its digest", file=path.name),
+                )
     except OSError:
         # The report says so in a warning; what was computed still stands.
         return InputFile(role, printable(path.name), None, None)
@@ -208,7 +211,7 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
     per_target = [s.sighting.target for s in result.sightings]
     steep = result.mounting.axes is not None
     return Adjustment(
-        rotation_in_words=boresight_words(result.angles) if steep else "",
+        rotation_in_words=orientation_text(result.angles) if steep else LazyText(""),
         correlation=tuple(tuple(map(float, row)) for row in result.correlation),
         estimated=result.estimated,
         correlation_all=tuple(tuple(map(float, row)) for row in result.correlation_all),

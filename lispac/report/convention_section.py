@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping
 
+from lispac.adjustment.shown import capitalised
 from lispac.language import N_, gettext, raw_text
+from lispac.message_texts import message_text
 from lispac.report.blocks import Block, Column, Paragraph, Table, facts, rows
 from lispac.report.convention_values import InConvention, ScannerToBody
 from lispac.report.values import ReportContent
-from lispac.report.wording import degrees_unit, fixed, in_unit, known, signed
+from lispac.report.wording import MINUS, degrees_unit, fixed, in_unit, known, signed
 
 DIRECTIONS: Mapping[str, str] = {
     "LiDAR to body": N_("{formula}, LiDAR to body"),
@@ -38,23 +40,27 @@ def _convention(found: InConvention) -> list[Block]:
     )
     values = [
         (gettext("Verification"), source),
-        *([(gettext("Assumption"), found.assumption)] if found.assumption else []),
+        *([(gettext("Assumption"), str(found.assumption))] if found.assumption is not None else []),
         (gettext("Rotation"), _rotation(found)),
         (
             gettext("Body axes"),
             gettext("X {x}, Y {y}, Z {z}", x=axes[0], y=axes[1], z=axes[2]),
         ),
-        (gettext("Scanner axes"), found.scanner_in_words),
+        (gettext("Scanner axes"), str(found.scanner_in_words)),
         (gettext("Lever arm"), lever_arm),
     ]
     blocks.append(facts(gettext("Convention of {program}", program=_program(found.name)), values))
-    sentences = (found.check_first, found.note, found.offsets_in_words, found.caution)
-    blocks += [Paragraph(sentence.strip()) for sentence in sentences if sentence]
+    notes = (found.check_first, found.note, found.offsets_in_words, found.caution)
+    blocks += [
+        Paragraph(message_text(each).replace(" -", f" {MINUS}"))
+        for each in notes
+        if each is not None
+    ]
     return blocks
 
 
 def _angles(found: InConvention) -> Table:
-    decimals = EXACT if found.note else 4
+    decimals = 4 if found.note is None else EXACT
     deg = degrees_unit()
     return Table(
         gettext(
@@ -69,10 +75,10 @@ def _angles(found: InConvention) -> Table:
         ),
         rows(
             [
-                angle.name,
+                capitalised(str(angle.name)),
                 signed(angle.value_deg, decimals),
                 known(angle.sigma_deg, lambda v: fixed(v, 4)),
-                angle.meaning,
+                str(angle.meaning),
             ]
             for angle in found.angles
         ),
@@ -87,7 +93,9 @@ def _program(name: str) -> str:
 def _rotation(found: InConvention) -> str:
     if not found.angles:
         return gettext("imported as a matrix only")
-    return gettext(DIRECTIONS[found.direction_in_words], formula=found.formula)
+    return gettext(
+        DIRECTIONS[found.direction_in_words], formula=str(found.formula).replace("-", MINUS)
+    )
 
 
 def _matrix(found: ScannerToBody) -> list[Block]:

@@ -4,10 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lispac.language import LazyText, gettext_lazy
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.survey.conventions.conversion import Setup, Stated, state
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, Status, system
-from lispac.survey.conventions.words import CHECK_FIRST, THESIS_MODE, offsets_words
+from lispac.survey.conventions.words import CHECK_FIRST, THESIS_MODE, offsets_note
 
 MATRIX_OF = "pdal"
 """The program whose matrix is in every report: any point cloud software can apply it."""
@@ -17,8 +19,8 @@ MATRIX_OF = "pdal"
 class StatedAngle:
     """One angle as the other program names it; its sigma is None where it has no meaning."""
 
-    name: str
-    meaning: str
+    name: LazyText
+    meaning: LazyText
     value_deg: float
     sigma_deg: float | None
 
@@ -34,18 +36,18 @@ class InConvention:
     system: str
     name: str
     status: Status
-    status_in_words: str
-    source: str
-    assumption: str
-    check_first: str
+    status_in_words: LazyText
+    source: LazyText
+    assumption: LazyText | None
+    check_first: Message | None
     angles: tuple[StatedAngle, ...]
-    note: str
-    caution: str
-    formula: str
+    note: Message | None
+    caution: Message | None
+    formula: LazyText
     direction_in_words: str
-    body_axes: tuple[str, ...]
-    scanner_in_words: str
-    offsets_in_words: str
+    body_axes: tuple[LazyText, ...]
+    scanner_in_words: LazyText
+    offsets_in_words: Message | None
     lever_arm_m: tuple[float, ...]
     transform: tuple[tuple[float, ...], ...]
 
@@ -56,7 +58,7 @@ class ScannerToBody:
 
     system: str
     name: str
-    body_axes: tuple[str, ...]
+    body_axes: tuple[LazyText, ...]
     rotation: tuple[tuple[float, ...], ...]
     transform: tuple[tuple[float, ...], ...]
 
@@ -79,18 +81,18 @@ def in_convention(project: Project, key: str) -> InConvention | None:
         system=convention.key,
         name=convention.name,
         status=setup.status,
-        status_in_words=STATUS_WORDS[setup.status],
-        source=convention.source,
+        status_in_words=gettext_lazy(STATUS_WORDS[setup.status]),
+        source=gettext_lazy(convention.source),
         assumption=setup.assumption,
-        check_first="" if setup.status == "verified" else CHECK_FIRST,
+        check_first=None if setup.status == "verified" else CHECK_FIRST,
         angles=_angles(stated),
         note=stated.note,
-        caution="" if project.result.model.correlated else THESIS_MODE,
+        caution=None if project.result.model.correlated else THESIS_MODE,
         formula=convention.formula,
         direction_in_words=DIRECTION_WORDS[convention.direction],
-        body_axes=setup.axes,
-        scanner_in_words=setup.scanner_words(mounting.rotation_body_lidar),
-        offsets_in_words=offsets_words(mounting),
+        body_axes=tuple(map(gettext_lazy, setup.axes)),
+        scanner_in_words=setup.scanner_axes(mounting.rotation_body_lidar),
+        offsets_in_words=offsets_note(mounting),
         lever_arm_m=tuple(map(float, stated.lever_arm)),
         transform=_rows(stated.transform),
     )
@@ -105,7 +107,7 @@ def scanner_to_body(project: Project) -> ScannerToBody | None:
     return ScannerToBody(
         system=setup.convention.key,
         name=setup.convention.name,
-        body_axes=setup.axes,
+        body_axes=tuple(map(gettext_lazy, setup.axes)),
         rotation=_rows(stated.transform[:3, :3]),
         transform=_rows(stated.transform),
     )
@@ -123,7 +125,9 @@ def _angles(stated: Stated) -> tuple[StatedAngle, ...]:
         return ()
     sigmas = [None] * 3 if stated.sigmas is None else np.degrees(stated.sigmas).tolist()
     return tuple(
-        StatedAngle(turn.name, turn.meaning, float(np.degrees(value)), sigma)
+        StatedAngle(
+            gettext_lazy(turn.name), gettext_lazy(turn.meaning), float(np.degrees(value)), sigma
+        )
         for turn, value, sigma in zip(
             stated.setup.convention.turns, stated.angles, sigmas, strict=True
         )

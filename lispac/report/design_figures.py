@@ -10,11 +10,10 @@ from lispac.adjustment.result import ANGLES
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Step
-from lispac.language import N_, gettext, raw_text
+from lispac.language import N_, gettext
 from lispac.report.design_words import NAMES
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
 from lispac.report.wording import fixed, parameter
-from lispac.reverse_translation.translation import Say, unchanged
 
 BEYOND = 4.0
 """Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
@@ -31,31 +30,29 @@ COLOURS = (BEFORE, AFTER, "#228833")
 """Of roll, pitch and yaw; distinguishable with any colour vision."""
 
 
-def scenario_figure(
-    found: Sequence[Outcome], figure: Figure | None = None, say: Say = unchanged
-) -> Figure:
+def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> Figure:
     """Sigmas of roll, pitch and yaw for each case of one scenario, in both stochastic models."""
     models = [m for m in NAMES if any(each.pos_errors == m for each in found)]
-    cases = list(dict.fromkeys(each.case for each in found))
+    labels = {each.case: str(each.label) for each in found}
     figure = blank(figure, (6.3, 0.9 + 1.9 * len(models)))
     panels = figure.subplots(len(models), 1, sharex=True, squeeze=False)[:, 0]
     for axes, model in zip(panels, models, strict=True):
         own = {each.case: np.degrees(each.sigma) for each in found if each.pos_errors == model}
-        table = np.array([own[case] for case in cases])
+        table = np.array([own[case] for case in labels])
         highest = table[np.isfinite(table)].max(initial=0.0)
         for k, (angle, colour) in enumerate(zip(ANGLES, COLOURS, strict=True)):
-            at = np.arange(len(cases)) + 0.27 * (k - 1)
+            at = np.arange(len(labels)) + 0.27 * (k - 1)
             axes.bar(at, np.where(np.isfinite(table[:, k]), table[:, k], 0.0), 0.25, color=colour,
                      label=parameter(angle))  # fmt: skip
         for x in np.flatnonzero(~np.isfinite(table).all(axis=1)):
             axes.text(x, 0.03 * highest, gettext("not determined"), rotation=90, fontsize=SMALL,
                       color=INK, ha="center", va="bottom")  # fmt: skip
         dress(axes, "", gettext("1 sigma (deg)"))
-        axes.set_title(_translated(NAMES[model], say), fontsize=TEXT, color=INK, loc="left")
+        axes.set_title(gettext(NAMES[model]), fontsize=TEXT, color=INK, loc="left")
         axes.set_ylim(0.0, 1.12 * highest if highest > 0 else 1.0)
-    turned = max(map(len, cases)) * len(cases) > 70
+    turned = max(map(len, labels.values())) * len(labels) > 70
     panels[-1].set_xticks(
-        range(len(cases)), [_translated(case, say) for case in cases], fontsize=SMALL,
+        range(len(labels)), list(labels.values()), fontsize=SMALL,
         rotation=30 if turned else 0,
         ha="right" if turned else "center",
     )  # fmt: skip
@@ -64,14 +61,7 @@ def scenario_figure(
     return figure
 
 
-def _translated(text: str, say: Say) -> str:
-    """A text of the design; ``say`` translates it where the gettext catalogue does not have it."""
-    return say(text) if raw_text(text, {}) == text else gettext(text)
-
-
-def front_figure(
-    front: Sequence[Step], label: str, figure: Figure | None = None, say: Say = unchanged
-) -> Figure:
+def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None) -> Figure:
     """The objective by the minutes on site of each plan.
 
     Parameters
@@ -88,13 +78,13 @@ def front_figure(
         size = f"{len(step.plan.targets)} × {len(step.plan.lines)}"
         axes.annotate(size, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
                       color=INK)  # fmt: skip
-    quantity = gettext("{quantity} (deg)", quantity=_translated(label, say))
+    quantity = gettext("{quantity} (deg)", quantity=gettext(label))
     dress(axes, gettext("Minutes on site (targets × lines beside each)"), quantity)
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure
 
 
-def errors_figure(found: Scatter, figure: Figure | None = None, _say: Say = unchanged) -> Figure:
+def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
     """Errors of roll, pitch and yaw over their predicted sigmas, with the expected distribution."""
     figure = blank(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)

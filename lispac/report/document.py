@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.language import Plural, gettext, in_language
 from lispac.messages import error
 from lispac.report import sections
@@ -174,9 +174,9 @@ def _picture(caption: str, path: Path) -> Picture:
     if suffix not in (".png", ".svg"):
         raise InputError(error("report.picture_format", file=str(path)))
     try:
-        return Picture(caption, path.read_bytes(), suffix)
+        return Picture(gettext(caption), path.read_bytes(), suffix)
     except OSError as failure:
-        reason = failure.strerror or str(failure)
+        reason = system_reason(failure)
         raise InputError(
             error("report.picture_unreadable", file=str(path), reason=reason)
         ) from failure

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from lispac.installed import resource
+from lispac.language import LazyText, in_english
 from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Message, plain_params
@@ -36,23 +37,25 @@ def json_text(content: ReportContent) -> str:
     values = {
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,
-        **asdict(_in_english(content)),
+        **asdict(english_values(content)),
         "cautions": [asdict(_caution(each)) for each in content.cautions],
     }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _in_english(value: Any) -> Any:
-    """Values with the English text of each message among them."""
+def english_values(value: Any) -> Any:
+    """Values with the English texts of messages and labels among them."""
     if isinstance(value, Message):
         return english_text(value)
+    if isinstance(value, LazyText):
+        return in_english(value)
     if is_dataclass(value) and not isinstance(value, type):
         held = ((each.name, getattr(value, each.name)) for each in fields(value))
-        return replace(value, **{name: _in_english(each) for name, each in held})
+        return replace(value, **{name: english_values(each) for name, each in held})
     if isinstance(value, tuple):
-        return tuple(map(_in_english, value))
+        return tuple(map(english_values, value))
     if isinstance(value, Mapping):
-        return {name: _in_english(each) for name, each in value.items()}
+        return {name: english_values(each) for name, each in value.items()}
     return value
 
 

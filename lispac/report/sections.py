@@ -52,8 +52,8 @@ def summary(content: ReportContent) -> list[Block]:
     blocks: list[Block] = [_angle_table(content)]
     adjustment = content.adjustment
     if adjustment is not None:
-        if adjustment.rotation_in_words:
-            blocks.append(Paragraph(adjustment.rotation_in_words))
+        if rotation := str(adjustment.rotation_in_words):
+            blocks.append(Paragraph(rotation))
         blocks.append(Paragraph(_fit(adjustment)))
         extra = [_with_sigma(p) for p in adjustment.parameters if p.value is not None]
         if extra:

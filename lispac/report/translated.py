@@ -5,10 +5,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import TypeVar
 
-from lispac.adjustment.shown import capitalised
 from lispac.report.absolute_values import Absolute
-from lispac.report.budget_values import Budget
-from lispac.report.convention_values import InConvention
 from lispac.report.opinion_values import MethodAnswer
 from lispac.report.values import Adjustment, CrossChecked, ReportContent
 from lispac.report.wording import MINUS
@@ -18,9 +15,6 @@ from lispac.reverse_translation.translation import Translator
 
 HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
 """A hyphen before a number."""
-FACTORS = " · "
-"""Between the rotations of a formula."""
-
 Say = Callable[[str], str]
 Part = TypeVar("Part")
 
@@ -79,13 +73,7 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
         qualities=tuple(
             replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
         ),
-        in_convention=_if_known(content.in_convention, lambda found: _convention(found, say)),
-        matrix=_if_known(
-            content.matrix,
-            lambda found: replace(found, body_axes=tuple(map(say, found.body_axes))),
-        ),
         absolute=_if_known(content.absolute, lambda found: _absolute(found, say)),
-        budget=_if_known(content.budget, lambda found: _budget(found, say)),
         methods=tuple(_method(each, say) for each in content.methods),
         methods_in_words=tuple(map(say, content.methods_in_words)),
     )
@@ -99,7 +87,6 @@ def _adjustment(found: Adjustment, say: Say) -> Adjustment:
     seen = found.observability
     return replace(
         found,
-        rotation_in_words=say(found.rotation_in_words),
         observability=_if_known(
             seen, lambda seen: replace(seen, in_words=tuple(map(say, seen.in_words)))
         ),
@@ -114,51 +101,10 @@ def _cross_checks(found: CrossChecked, say: Say) -> CrossChecked:
     )
 
 
-def _convention(found: InConvention, say: Say) -> InConvention:
-    if not found.angles:
-        found = replace(found, formula="")  # it is a matrix only, which the section says
-    return replace(
-        found,
-        status_in_words=say(found.status_in_words),
-        source=say(found.source),
-        assumption=say(found.assumption),
-        check_first=say(found.check_first),
-        angles=tuple(
-            replace(each, name=say(capitalised(each.name)), meaning=say(each.meaning))
-            for each in found.angles
-        ),
-        note=say(found.note),
-        caution=say(found.caution),
-        formula=FACTORS.join(map(say, found.formula.replace("-", MINUS).split(FACTORS))),
-        body_axes=tuple(map(say, found.body_axes)),
-        scanner_in_words=say(found.scanner_in_words),
-        offsets_in_words=say(found.offsets_in_words),
-    )
-
-
 def _absolute(found: Absolute, say: Say) -> Absolute:
     return replace(
         found,
         not_compared=tuple(map(say, found.not_compared)),
-        in_words=tuple(map(say, found.in_words)),
-    )
-
-
-def _budget(found: Budget, say: Say) -> Budget:
-    return replace(
-        found,
-        beams=tuple(
-            replace(
-                each,
-                beam=say(each.beam),
-                sources=tuple(
-                    replace(source, source=say(source.source)) for source in each.sources
-                ),
-                before=replace(each.before, source=say(each.before.source)),
-                after=replace(each.after, source=say(each.after.source)),
-            )
-            for each in found.beams
-        ),
         in_words=tuple(map(say, found.in_words)),
     )
 

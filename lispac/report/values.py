@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from lispac.identity import Identity
+from lispac.language import LazyText
 from lispac.messages import Message
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
@@ -255,7 +256,7 @@ class Adjustment:
     so that roll, pitch and yaw do not describe the rotation well.
     """
 
-    rotation_in_words: str
+    rotation_in_words: LazyText
     correlation: tuple[tuple[float, ...], ...]
     estimated: tuple[str, ...]
     correlation_all: tuple[tuple[float, ...], ...]

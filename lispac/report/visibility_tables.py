@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.report.blocks import Column, Table, rows
 from lispac.report.visibility_figures import CRITERIA, error_in_words
 from lispac.report.wording import fixed
@@ -142,7 +143,7 @@ def _compared(each: Compared) -> tuple[str, ...]:
         _headings(stated.lines) or not_seen,
         _agree(each.inclination_agrees),
         _agree(each.lines_agree),
-        each.reason,
+        "" if each.reason is None else message_text(each.reason),
     )
 
 

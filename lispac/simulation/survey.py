@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.simulation.port import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
@@ -221,7 +222,7 @@ def simulated(
     trajectory = _report(setup, motion, errors if pos_errors else None)
     states = (trajectory.time, motion.position, motion.attitude)
     if scene.meshes is not None:
-        progress(0.0, "Meshes are ready")  # made once, before the threads
+        progress(0.0)  # made once, before the threads
 
     def record(i: int) -> Echoes:
         start, stop = motion.recorded[i]
@@ -234,7 +235,12 @@ def simulated(
     with ThreadPoolExecutor(min(os.cpu_count() or 1, len(legs))) as pool:
         for i, echoes in enumerate(pool.map(record, range(len(legs)))):
             lines.append(SimulatedLine(legs[i].name, legs[i].heading_deg, *vars(echoes).values()))
-            progress((i + 1) / len(legs), f"Scanned line {i + 1} of {len(legs)}")
+            progress(
+                (i + 1) / len(legs),
+                gettext_lazy(
+                    "Simulated lines: {count:n} of {total:n}", count=i + 1, total=len(legs)
+                ),
+            )
     return SimulatedSurvey(
         setup.origin, setup.mounting, trajectory, tuple(lines),
         _seeds(setup, setup.targets, motion), _seeds(setup, setup.validation, motion), scene,

@@ -9,6 +9,7 @@ from itertools import combinations
 
 import numpy as np
 
+from lispac.messages import Message, note
 from lispac.simulation.visibility_study import Best, Visibility, fewest_lines
 
 
@@ -54,19 +55,12 @@ ALL_ERRORS = frozenset(frozenset((0, 180, *side)) for side in combinations((45, 
 """Table 3.3: headings (deg) of the lines that show every error."""
 
 REASONS: Mapping[tuple[str, str], str] = {
-    ("terrestrial", "roll"): "The choice of table 3.2 lies near the board that faces the beams "
-    "(-20 deg here), where a roll error moves points along it. Appendix C.2.1 names -40 and then "
-    "30 deg for the same figure; 30 is the upper end of what it keeps, and so is the best here",
-    ("terrestrial", "scan_angle_offset"): "With the scanner along the body axes this offset is a "
-    "roll, to the last digit; the thesis has -40 deg for the one, -50 for the other, and 30 in "
-    "appendix C.2.7, where the error is 1 and not 2 deg",
-    ("terrestrial", "range_offset"): "Table 3.2 chooses an inclination that appendix C.2.6 does "
-    "not keep (-40 to 10 deg). At -60 deg parallel and diagonal lines meet the board at nearly "
-    "equal angles, so that the offset shifts both alike",
-    ("marine", "roll"): "A board that leans back shows roll more than an upright one, since beams "
-    "climb to it by 18 deg; the thesis considers 0 to 90 deg only, and of these the upright one is "
-    "best here too",
-}  # fmt: skip
+    ("terrestrial", "roll"): "visibility.roll_facing",
+    ("terrestrial", "scan_angle_offset"): "visibility.offset_as_roll",
+    ("terrestrial", "range_offset"): "visibility.offset_not_kept",
+    ("marine", "roll"): "visibility.leaning_back",
+}
+"""Code of the message why an error has another best configuration than in the thesis."""
 
 
 @dataclass(frozen=True)
@@ -77,15 +71,15 @@ class Compared:
     ----------
     lines_agree : bool
         The thesis's lines are one of each group that is needed here (marine: of different groups).
-    reason : str
-        A sentence where they do not agree.
+    reason : Message or None
+        Where they do not agree.
     """
 
     best: Best
     stated: Stated
     lines_agree: bool
     inclination_agrees: bool
-    reason: str
+    reason: Message | None
 
 
 def compared_with_thesis(found: Visibility) -> tuple[Compared, ...]:
@@ -101,7 +95,7 @@ def compared_with_thesis(found: Visibility) -> tuple[Compared, ...]:
             lines = max(met) == 1 and (pair or min(met) == 1)
             low, high = stated.inclination_deg
             inclination = low <= round(float(np.degrees(best.inclination))) <= high
-        reason = "" if lines and inclination else _reason(found, best, stated)
+        reason = None if lines and inclination else _reason(found, best, stated)
         rows.append(Compared(best, stated, lines, inclination, reason))
     return tuple(rows)
 
@@ -112,7 +106,7 @@ def lines_for_all_agree(found: Visibility) -> bool:
     return {frozenset(lines) for lines in sets} == ALL_ERRORS
 
 
-def _reason(found: Visibility, best: Best, stated: Stated) -> str:
+def _reason(found: Visibility, best: Best, stated: Stated) -> Message:
     """What there is to see at both inclinations, and why they differ where that is known."""
     degrees = np.round(np.degrees(found.site.inclinations)).astype(int)
     places = []
@@ -122,9 +116,9 @@ def _reason(found: Visibility, best: Best, stated: Stated) -> str:
         places.append(int(np.mean(stated.inclination_deg)))
     rows = [int(np.argmax(degrees == place)) for place in places]
     apart = [spread[rows] for spread in found.spread(best.error)]
-    told = ", ".join(
-        f"{1000 * metres:.0f} mm and {np.degrees(turn):.2f} deg at {place} deg"
+    differences = tuple(
+        note("item.apart", distance=float(metres), angle=float(turn), inclination=np.radians(place))
         for place, metres, turn in zip(places, *apart, strict=True)
     )
-    why = REASONS.get((found.site.name, best.error), "Why is not known")
-    return f"{why}. The lines differ by {told}."
+    code = REASONS.get((found.site.name, best.error), "visibility.unknown_reason")
+    return note("visibility.differs", reason=note(code), differences=differences)

@@ -29,7 +29,7 @@ from lispac.geometry.frames import (
     ecef_to_geodetic,
     geodetic_to_ecef,
 )
-from lispac.messages import error
+from lispac.messages import Message, error
 from lispac.survey.blocks import in_blocks
 from lispac.survey.crs_operation import best_operation
 from lispac.survey.geoid import geoid_grid
@@ -63,6 +63,7 @@ class CoordinateSystem:
         Of the horizontal coordinates.
     assumptions : tuple of str
         What was assumptions, in words.
+    warnings : tuple of Message
     metres : three of float
         Metres in each unit of x, y and height; of a degree, what it is at the equator.
     written : pyproj.CRS
@@ -81,6 +82,12 @@ class CoordinateSystem:
     _epoch: float | None
     _height_offset: float = 0.0
     frame: LocalFrame | None = None
+    warnings: tuple[Message, ...] = ()
+
+    @property
+    def notes(self) -> tuple[str | Message, ...]:
+        """Warnings, then assumptions."""
+        return (*self.warnings, *self.assumptions)
 
     @property
     def name(self) -> str:

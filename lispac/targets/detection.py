@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
+from lispac.language import gettext_lazy
 from lispac.messages import Message
 from lispac.progress import Progress, no_progress, part
 from lispac.targets.across_lines import find_in_lines
@@ -106,7 +107,7 @@ def detect_planes(
         )
     )
     voxel = voxel_for(settings.threshold, VOXEL)
-    progress(0.0, "Looking for flat surfaces in every line")
+    progress(0.0, gettext_lazy("Detecting planes in every line"))
     with ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds)))) as pool:
         looked = pool.map(
             lambda cloud: flat_patches(cloud, settings.threshold, voxel=voxel).patches,
@@ -134,7 +135,7 @@ def detect_planes(
             continue
         if len(found) >= 2 and not any(_same(plane.found, found) for plane in detected):
             detected.append(DetectedPlane(seed, line, patch.area, found, missing))
-    progress(1.0, f"Found {len(detected)} planes")
+    progress(1.0)
     return tuple(sorted(detected, key=lambda plane: (-len(plane.found), -plane.area)))
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
 from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
+from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
 from lispac.progress import Progress
 from lispac.targets.settings import FinderSettings
@@ -318,7 +319,9 @@ def _from_reference(
     found, missing = _in_each(
         clouds,
         lambda name: first if name == first_line else again(name),
-        lambda count, name: progress(count / len(clouds), f"Looked for the target in {name}"),
+        lambda count, name: progress(
+            count / len(clouds), gettext_lazy("Searched for the target in {line}", line=name)
+        ),
     )
     return found, {name: as_message(reason.reason) for name, reason in missing.items()}
 

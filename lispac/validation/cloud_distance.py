@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.knn import build_tree, spatial_order
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
@@ -78,7 +79,7 @@ def cloud_to_cloud(
         raise InputError(error("validation.empty_reference"))
 
     limit = np.inf if max_distance is None else max_distance
-    progress(0.0, "Indexing the clouds")
+    progress(0.0, gettext_lazy("Indexing the clouds"))
     starts = range(0, len(compared), _CHUNK)
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:
@@ -97,7 +98,7 @@ def cloud_to_cloud(
         tasks = [pool.submit(measure, start) for start in starts]
         for done, task in enumerate(tasks, start=1):
             task.result()
-            progress(0.2 + 0.8 * done / len(tasks), "Measuring distances")
+            progress(0.2 + 0.8 * done / len(tasks), gettext_lazy("Computing distances"))
     finally:
         # A cancelled run must not wait for the chunks that have not begun.
         pool.shutdown(cancel_futures=True)

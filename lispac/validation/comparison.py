@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.validation.bins import counted, shared_edges
@@ -136,7 +137,10 @@ def compare_plane(
             not_compared.append((a, b))
             continue
         here = part(progress, i / len(couples), (i + 1) / len(couples))
-        here(0.0, f"Comparing {a} and {b} on {name}")
+        here(
+            0.0,
+            gettext_lazy("Comparing {one} and {other} on {target}", one=a, other=b, target=name),
+        )
         distances: list[Array] = []
         states: list[PairState] = []
         for state in clouds:
@@ -177,7 +181,7 @@ def compare_plane(
         )
     if not pairs:
         raise NotComparable(error("validation.no_overlap", plane=name, needed=FEWEST_POINTS))
-    progress(1.0, f"Compared {len(pairs)} pairs of lines on {name}")
+    progress(1.0)
 
     any_reciprocal = any(pair.reciprocal for pair in pairs)
     pool = _Measured.of(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.knn import build_tree
-from lispac.language import in_language
+from lispac.language import gettext_lazy, in_language
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
@@ -116,7 +116,10 @@ def check_absolute(
     where = _Where.of(reference, survey, project.settings.lidar_sigma, reach)
     lines, unseen = [], []
     for k, cloud in enumerate(clouds):
-        progress(0.3 + 0.7 * k / len(clouds), f"Comparing {cloud.line} with {path.name}")
+        progress(
+            0.3 + 0.7 * k / len(clouds),
+            gettext_lazy("Comparing {line} with {file}", line=cloud.line, file=path.name),
+        )
         try:
             lines.append(_compared(project, survey, cloud, where))
         except NotComparable as failure:
@@ -147,7 +150,7 @@ def check_absolute(
         reference.sigma, reach, each, together, tuple(unseen), edges, before, after, points,
         other_surfaces(lines),
     )  # fmt: skip
-    progress(1.0, f"Compared {len(lines)} lines with {path.name}")
+    progress(1.0)
     return project.with_absolute(check), reference.notes
 
 

@@ -16,6 +16,7 @@ from lispac.adjustment.shown import plain
 from lispac.errors import InputError, LispacError, NotComparable
 from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
@@ -128,10 +129,18 @@ def each_row(
     files = [f"{name}.{form}" for name in _file_names(found)]
     for k, (folder, file) in enumerate(zip(found, files, strict=True)):
         step = part(progress, k / len(found), (k + 1) / len(found))
-        step(0.0, f"{folder.name} ({k + 1} of {len(found)})")
+        step(
+            0.0,
+            gettext_lazy(
+                "{project} ({number:n} of {count:n})",
+                project=folder.name,
+                number=k + 1,
+                count=len(found),
+            ),
+        )
         report = None if reports is None else Path(reports) / file
         yield _row(folder, save, report, options, step)
-    progress(1.0, f"{len(found)} projects")
+    progress(1.0)
 
 
 def _row(

@@ -17,6 +17,8 @@ from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
+from lispac.language import gettext_lazy
+from lispac.message_texts import english_text
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
@@ -264,7 +266,14 @@ def select(
     angles = prior.boresight
     for k in range(rounds):
         step = part(progress, k / rounds, (k + 1) / rounds)
-        step(0.0, f"Selecting the points again, round {k + 1} of {rounds}")
+        step(
+            0.0,
+            gettext_lazy(
+                "Selecting the points again, round {number:n} of {count:n}",
+                number=k + 1,
+                count=rounds,
+            ),
+        )
         # Points of another surface among the picks would be taken for POS errors by the correlated
         # model; this one leaves them to stand out.
         with _with_reasons(project, survey):
@@ -334,13 +343,14 @@ def check(
 
 
 def _advised(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with a sentence on the further line that would help most."""
+    """The result with remarks on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
-    if seen is None or not (said := advice(judged, result)):
+    if seen is None or not (found := advice(judged, result)):
         return result
-    return replace(result, observability=replace(seen, sentences=(*seen.sentences, said)))
+    sentences = (*seen.sentences, *map(english_text, found))
+    return replace(result, observability=replace(seen, sentences=sentences))
 
 
 def _chosen(

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from laspy import ScaleAwarePointRecord
@@ -18,13 +19,13 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.las_export import Cloud, Pattern, cloud_file
 from lispac.io.registry import PointChunk
-from lispac.messages import error
-from lispac.progress import Progress, no_progress
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
+from lispac.progress import Pace, Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
 from lispac.survey.screening import MOST_RANGE, within_range
 from lispac.survey.source import USUAL, Reading
-from lispac.survey.store.pace import Pace
 
 Array = NDArray[np.float64]
 
@@ -46,8 +47,8 @@ class Written:
         it is too steep to be interpolated).
     excluded : int
         Left out because they lie farther from the scanner than it measures, or in it.
-    notes : tuple of str
-        What else there is to know, in words.
+    notes : tuple of str or Message
+        What else there is to know.
     """
 
     path: Path
@@ -55,23 +56,26 @@ class Written:
     outside: int = 0
     in_gaps: int = 0
     excluded: int = 0
-    notes: tuple[str, ...] = ()
+    notes: tuple[str | Message, ...] = ()
 
     @property
-    def sentence(self) -> str:
-        """What was left out, in words; empty where nothing was."""
-        parts = []
+    def left_out(self) -> Message | None:
+        """Points that were left out, if any."""
+        params: dict[str, Any] = {
+            "file": self.path.name, "count": self.points + self.outside + self.in_gaps,
+        }  # fmt: skip
+        if self.outside and self.in_gaps:
+            return note("export.left_out", outside=self.outside, in_gaps=self.in_gaps, **params)
         if self.outside:
-            parts.append(f"{self.outside:,} points outside the trajectory's time")
+            return note("export.left_out_outside", outside=self.outside, **params)
         if self.in_gaps:
-            parts.append(
-                f"{self.in_gaps:,} points in gaps of the trajectory or where its pitch is beyond "
-                "80 deg"
-            )
-        if not parts:
-            return ""
-        whole = self.points + self.outside + self.in_gaps
-        return f"{self.path.name}: {' and '.join(parts)}, of {whole:,}, are left out"
+            return note("export.left_out_in_gaps", in_gaps=self.in_gaps, **params)
+        return None
+
+    @property
+    def all_notes(self) -> tuple[str | Message, ...]:
+        """What there is to know, with the points that were left out first."""
+        return self.notes if self.left_out is None else (self.left_out, *self.notes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +131,7 @@ def write_cloud(
         raise InputError(error("export.no_points", line=path.stem))
     chosen = pattern(first)
     place = _Placing(mapping, reading, recovery, most_range)
-    pace, total = Pace(f"Writing {path.name}", first.total), first.total
+    pace, total = Pace(gettext_lazy("Writing {file}", file=path.name), first.total), first.total
     outside = in_gaps = excluded = 0
     with cloud_file(
         temporary,
@@ -150,7 +154,7 @@ def write_cloud(
             excluded += done.excluded
             count = cloud.count + outside + in_gaps + excluded
             # A text file does not say how many points are to come.
-            progress(min(count / total, 1.0) if total else 0.5, pace.words(count))
+            progress(min(count / total, 1.0) if total else 0.5, pace.step(count))
 
         try:
             chunk: PointChunk | None = first

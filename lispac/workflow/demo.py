@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Role, Settings, Triple
 from lispac.simulation.survey import POINTS_PER_SECOND, port_survey
@@ -98,10 +99,10 @@ def calibrate_demo(project: Project, *, progress: Progress = no_progress) -> tup
     seeds = demo_seeds()
     for k, (name, (role, seed)) in enumerate(seeds.items()):
         step = part(progress, 0.35 + 0.3 * k / len(seeds), 0.35 + 0.3 * (k + 1) / len(seeds))
-        step(0.0, f"Finding {name} in every line")
+        step(0.0, gettext_lazy("Searching for {target} in every line", target=name))
         project = pick(project, survey, seed, name=name, role=role)
     project = estimate(project, survey, progress=part(progress, 0.65, 0.75))
     project = validate(project, survey, progress=part(progress, 0.75, 1.0))
     project = save_project(project, expected=project.file_digest)
-    progress(1.0, "Demo done")
+    progress(1.0)
     return project, survey

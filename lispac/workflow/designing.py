@@ -15,12 +15,12 @@ from lispac.design.prediction import UNDETERMINED, foretold, predict
 from lispac.design.scenarios import Outcome
 from lispac.design.search import Design, Mapper
 from lispac.design.site import Site, least_off, overlapping
-from lispac.errors import LispacError, RankDeficient
+from lispac.errors import LispacError, RankDeficient, system_reason
 from lispac.io.files import written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
 from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
-from lispac.messages import Message, error, warning
+from lispac.messages import Message, as_message, error, warning
 from lispac.progress import Progress, no_progress
 
 ONE_WAY = error("plan_survey.one_orientation")
@@ -29,17 +29,18 @@ NEAR_WALL = 3.0
 """Metres: smallest distance at which a vessel can pass a wall safely."""
 
 
-def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]:
+def remarks_on(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
     """Observability of the angles of a plan, as after an adjustment."""
     try:
         if faces_one_way(plan):
-            return (message_text(ONE_WAY),)
+            return (ONE_WAY,)
         if not predict(plan).determined:
-            return (message_text(UNDETERMINED),)
+            return (UNDETERMINED,)
         with one_thread():
-            return observability(foretold(plan), progress=progress).sentences
+            found = observability(foretold(plan), progress=progress)
     except RankDeficient as failure:
-        return (str(failure),)
+        return (as_message(failure.reason),)
+    return tuple(map(as_message, found.sentences))
 
 
 def many_surveys(
@@ -166,7 +167,7 @@ def _made(folder: Path) -> Path:
             error(
                 "plan_survey.folder_not_created",
                 folder=str(folder),
-                reason=failure.strerror or str(failure),
+                reason=system_reason(failure),
             )
         ) from failure
     return folder

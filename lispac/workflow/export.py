@@ -9,6 +9,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.files import written_whole
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text, note_text
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
@@ -87,13 +88,13 @@ def write_report(
     ending = path.suffix.lower()
     if ending not in REPORT_ENDINGS:
         raise InputError(error("report.ending", file=str(path), formats=REPORT_ENDINGS))
-    progress(0.0, "Collecting the report")
+    progress(0.0, gettext_lazy("Collecting the values of the report"))
     content = content_of(
         project, survey, generated=generated, convention=options.convention,
         refused=refused,
         progress=part(progress, 0.0, 0.3),
     )  # fmt: skip
-    progress(0.3, f"Writing {path.name}")
+    progress(0.3, gettext_lazy("Writing {file}", file=path.name))
     with written_whole(path) as temporary:
         if ending == ".json":
             from lispac.report.json_report import write_json
@@ -111,7 +112,7 @@ def write_report(
             from lispac.report.pdf import write_pdf
 
             write_pdf(content, temporary, pictures or {}, options)
-    progress(1.0, "Report written")
+    progress(1.0)
 
 
 def preview_report(
@@ -140,14 +141,14 @@ def preview_report(
     """
     from lispac.report.pdf import preview_of
 
-    progress(0.0, "Collecting the report")
+    progress(0.0, gettext_lazy("Collecting the values of the report"))
     content = content_of(
         project, survey, convention=options.convention, refused=refused,
         progress=part(progress, 0.0, 0.5),
     )  # fmt: skip
-    progress(0.5, "Setting the pages")
+    progress(0.5, gettext_lazy("Laying out the pages"))
     preview = preview_of(content, pictures or {}, options, ppi=ppi)
-    progress(1.0, "Pages set")
+    progress(1.0)
     return preview
 
 

@@ -4,15 +4,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from lispac.messages import Message
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.exporting import (
+    SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
-    trajectory_datum_words,
+    trajectory_datum,
 )
 from lispac.workflow.georeferencing import Which, georeference_project
 from lispac.workflow.line_chunks import Chunks
@@ -67,14 +69,14 @@ def system_of(
 
 def export(
     project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
-) -> tuple[list[Path], tuple[str, ...]]:
+) -> tuple[list[Path], tuple[str | Message, ...]]:
     """Write what is asked for.
 
     Returns
     -------
     paths : list of Path
-    notes : tuple of str
-        What was left out or assumptions, in words.
+    notes : tuple of str or Message
+        What was left out, and assumptions.
 
     Raises
     ------
@@ -89,7 +91,7 @@ def export(
             trajectory_datum=request.trajectory_datum, epoch=request.epoch, ending=form,
             progress=progress,
         )  # fmt: skip
-        notes = [note for done in written for note in (done.sentence, *done.notes) if note]
+        notes = [note for done in written for note in done.all_notes]
         return [done.path for done in written], tuple(dict.fromkeys(notes))
     if request.what == "targets":
         system = system_of(
@@ -100,12 +102,10 @@ def export(
             project, survey, request.output, request.which, system=system, ending=form,
             progress=progress,
         )  # fmt: skip
-        return paths, () if system is None else system.assumptions
+        return paths, () if system is None else system.notes
     if request.what == "planes":
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()
     path = export_trajectory(project, request.output, form)
-    notes = [trajectory_datum_words(project)]
-    if form == "sbet":
-        notes.append("velocities, accelerations, rates and wander angle in the SBET are zero")
-    return [path], tuple(notes)
+    zeros = (SBET_ZEROS,) if form == "sbet" else ()
+    return [path], (trajectory_datum(project), *zeros)

@@ -25,7 +25,8 @@ from lispac.io.text_export import (
     write_table,
     write_trajectory_text,
 )
-from lispac.messages import error
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
@@ -89,7 +90,7 @@ def export_targets(
     require_other_files(project, paths)
     with ExitStack() as stack:
         for k, (target, path) in enumerate(zip(targets, paths, strict=True)):
-            progress(k / len(targets), f"Writing {path.name}")
+            progress(k / len(targets), gettext_lazy("Writing {file}", file=path.name))
             own = _points(target, survey)
             placed = mapper.to_map(own.points_lidar, own.time)
             temporary = stack.enter_context(written_whole(path))
@@ -97,7 +98,7 @@ def export_targets(
                 _write_csv(temporary, own, placed, survey.lines, system)
             else:
                 _write_las(temporary, path, own, placed, mapper)
-        progress(1.0, "Targets written")
+        progress(1.0)
     return paths
 
 
@@ -133,7 +134,7 @@ def export_planes(
     require_other_files(project, paths)
     with ExitStack() as stack:
         for k, (target, path) in enumerate(zip(targets, paths, strict=True)):
-            progress(k / len(targets), f"Writing {path.name}")
+            progress(k / len(targets), gettext_lazy("Writing {file}", file=path.name))
             own = _points(target, survey)
             points = georeference(own.points_lidar, own.time, survey.trajectory, mounting)
             poses = survey.trajectory.at(own.time + mounting.latency)
@@ -155,7 +156,7 @@ def export_planes(
                 stack.enter_context(written_whole(path)), observations, target.name, points,
                 np.append(plane.normal, plane.d),
             )  # fmt: skip
-        progress(1.0, "Plane files written")
+        progress(1.0)
     return paths
 
 
@@ -179,16 +180,12 @@ def export_trajectory(project: Project, output: Path, form: TrajectoryFormat = "
     return output
 
 
-def trajectory_datum_words(project: Project) -> str:
-    """What an exported trajectory takes for granted of its datum and epoch, in words."""
-    return (
-        f"latitude, longitude and height are as in {project.trajectory.name}: in the datum and at "
-        "the epoch it was computed in, which the exported file does not name"
-    )
+SBET_ZEROS = note("export.sbet_zeros")
 
 
-EPOCH_WORDS = "coordinates at the epoch of the trajectory, not moved to another one"
-"""What a cloud takes for granted where no epoch was given."""
+def trajectory_datum(project: Project) -> Message:
+    """Datum and epoch of an exported trajectory."""
+    return note("export.trajectory_datum", file=project.trajectory.name)
 
 
 def _trajectory_base(project: Project) -> str:

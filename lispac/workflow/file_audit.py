@@ -6,6 +6,7 @@ from pathlib import Path
 from lispac.errors import LispacError
 from lispac.io.points import FRAME, SCANNER
 from lispac.io.registry import Choice, Format
+from lispac.language import gettext_lazy
 from lispac.messages import Level, Message
 from lispac.progress import Progress, no_progress
 from lispac.survey.audit_messages import line_messages
@@ -72,7 +73,10 @@ def file_audit(
         attributes |= set(chunk.extra)
         screen(chunk.time, chunk.xyz, chunk.extra)
         read += len(chunk.time)
-        progress(min(1.0, read / min(chunk.total or most, most)), f"Checking {name}")
+        progress(
+            min(1.0, read / min(chunk.total or most, most)),
+            gettext_lazy("Checking {file}", file=name),
+        )
     audit = screen.result()
     messages = line_messages(name, audit)
     if not complete:

@@ -13,7 +13,8 @@ from lispac.io.files import require_file, written_whole
 from lispac.io.las_export import Pattern, pattern_of_las
 from lispac.io.points import CHUNK
 from lispac.io.registry import PointChunk
-from lispac.messages import error
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
@@ -96,7 +97,7 @@ def georeference_project(
             for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
                 start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
                 step = part(progress, start, stop)
-                step(0.0, f"Writing {path.name}")
+                step(0.0, gettext_lazy("Writing {file}", file=path.name))
                 own = stores.get(chunks.line.name)
                 recovery = None
                 if chunks.system is not None and own is None:
@@ -113,11 +114,11 @@ def georeference_project(
                     compressed=ending == "laz",
                     progress=step,
                 )
-                notes = (*done.notes, *_said(target))
+                notes = (*done.notes, *_notes_on(target))
                 if chunks.line.name in gone:
-                    notes += (_said_of_gone(chunks.line.name, gone[chunks.line.name]),)
+                    notes += (_note_on_kept(chunks.line.name, gone[chunks.line.name]),)
                 written.append(replace(done, notes=notes))
-            progress(1.0, "Lines written")
+            progress(1.0)
     except BaseException:
         for folder in made:
             if folder.is_dir() and not any(folder.iterdir()):
@@ -139,17 +140,9 @@ def _pattern_of(chunks: Chunks, kept: Pattern | None) -> Callable[[PointChunk], 
     return chunks.pattern if kept is None else lambda first: kept
 
 
-def _said_of_gone(name: str, kept: Pattern | None) -> str:
-    if kept is not None:
-        return (
-            f"{name}: its file is not there; points, attributes and the records of its header are "
-            "those kept at the import"
-        )
-    return (
-        f"{name}: its file is not there; the points have all their attributes, but other records "
-        "of the file's header, and the scaling and descriptions of its extra attributes, are not "
-        "kept"
-    )
+def _note_on_kept(name: str, kept: Pattern | None) -> Message:
+    code = "export.kept_points_only" if kept is None else "export.kept_points"
+    return note(code, line=name)
 
 
 def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
@@ -185,10 +178,8 @@ def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[Poin
         )
 
 
-def _said(target: CoordinateSystem | None) -> tuple[str, ...]:
-    if target is None:
-        return ("coordinates are metres North, West, Up in the local frame",)
-    return target.assumptions
+def _notes_on(target: CoordinateSystem | None) -> tuple[str | Message, ...]:
+    return (note("export.local_frame"),) if target is None else target.notes
 
 
 def require_other_files(project: Project, paths: Sequence[Path]) -> None:

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
-from lispac.message_texts import message_text
-from lispac.messages import Message, error, note
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.validation.control_chart import Charted, control_chart
@@ -74,7 +75,7 @@ class History:
 
     system: System
     entries: tuple[Entry, ...]
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
 
 def projects_in(folders: Sequence[Path]) -> list[Path]:
@@ -102,7 +103,7 @@ def histories(
     vessel: str | None = None,
     also: Iterable[Project] = (),
     progress: Progress = no_progress,
-) -> tuple[tuple[History, ...], tuple[str, ...]]:
+) -> tuple[tuple[History, ...], tuple[Message, ...]]:
     """The history of each system that has a calibration in these folders.
 
     Parameters
@@ -127,7 +128,7 @@ def histories(
     excluded: list[Message | str] = []
     projects = list(open_ones.values())
     for k, path in enumerate(paths):
-        progress(k / len(paths), f"Reading {path.name}")
+        progress(k / len(paths), gettext_lazy("Reading {file}", file=path.name))
         try:
             projects.append(open_project(path))
         except LispacError as failure:
@@ -163,28 +164,26 @@ def histories(
             groups.append(group := [])
         group.append(each)
     found = sorted((_history(group) for group in groups), key=lambda each: -len(each.entries))
-    progress(1.0, f"{len(known)} calibrations of {len(found)} systems")
-    remarks = tuple(message_text(note("history.excluded", reason=each)) for each in excluded)
+    progress(1.0)
+    remarks = tuple(note("history.excluded", reason=each) for each in excluded)
     return tuple(found), remarks
 
 
-def verdict(entry: Entry) -> str:
-    """What the calibrations before it say of one, in a sentence."""
+def verdict(entry: Entry) -> Message:
+    """A calibration compared with the earlier ones."""
     charted = entry.charted
     name, change = charted.calibration.name, charted.change
     if change is None:
-        return f"{name} is the first."
+        return note("history.first", name=name)
     largest = int(np.argmax(np.abs(change.significance)))
-    told = (
-        f"{ANGLES[largest]} by {np.degrees(change.angles[largest]):+.4f} deg, "
-        f"{abs(change.significance[largest]):.1f} of its sigmas"
-    ).replace("-", "\u2212")
+    difference = note(
+        "item.angle_changed",
+        angle=quantity(ANGLES[largest]), change=float(change.angles[largest]),
+        ratio=float(abs(change.significance[largest])),
+    )  # fmt: skip
     if charted.moved:
-        return (
-            f"{name} differs from those before it ({told}): the mounting has moved, or one of the "
-            "calibrations is wrong. A new series begins."
-        )
-    return f"{name} lies within the limits that those before it set (most off: {told})."
+        return warning("history.moved", name=name, difference=difference)
+    return note("history.within_limits", name=name, difference=difference)
 
 
 def _history(group: Sequence[tuple[date, Project]]) -> History:
@@ -200,10 +199,7 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
         remarks += remarks_on(names[k - 1 : k + 1], projects[k - 1 : k + 1])
     system = System.of(projects[0])
     if not any(getattr(system, name) for name in SYSTEM):
-        remarks.append(
-            "These projects do not name vessel, scanner and INS/GNSS: whether they are of one "
-            "system is not known."
-        )
+        remarks.append(note("history.unnamed_system"))
     entries = [
         Entry(project, day, charted) for (day, project), charted in zip(group, chart, strict=True)
     ]
@@ -212,7 +208,7 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
 
 def _once(
     group: Sequence[tuple[date, Project]],
-) -> tuple[list[tuple[date, Project]], list[str]]:
+) -> tuple[list[tuple[date, Project]], list[Message]]:
     """Each survey once: a second project on the same lines tells nothing new of the mounting."""
     kept: list[tuple[date, Project]] = []
     remarks = []
@@ -220,7 +216,7 @@ def _once(
         same = [known for _, known in kept if same_lines(known, project)]
         if same:
             remarks.append(
-                f"Left out: {project.folder} rests on the same lines as {same[0].folder}."
+                note("history.same_lines", folder=str(project.folder), other=str(same[0].folder))
             )
         else:
             kept.append((day, project))

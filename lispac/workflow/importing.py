@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import InputError, ProjectError
+from lispac.errors import InputError, ProjectError, system_reason
 from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
 from lispac.io.values import encoded
+from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
@@ -85,7 +86,7 @@ def import_lines(
                 error("project_line.not_found", project=project.name, line=name, lines=tuple(known))
             )
     lines = [known[name] for name in (names or known)]
-    progress(0.0, f"Reading {project.trajectory.name}")
+    progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, _ = local_trajectory(project)
     for line in lines:  # before hours of reading others; what is imported needs its file no more
         if again or not (line_folder(project, line) / MANIFEST).exists():
@@ -225,7 +226,7 @@ def stored_line(
                 "import.file_unreadable",
                 file=str(line.path),
                 line=line.name,
-                reason=failure.strerror or str(failure),
+                reason=system_reason(failure),
             )
         ) from failure
     if not same:

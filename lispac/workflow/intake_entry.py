@@ -15,6 +15,7 @@ from lispac.io.files import message_about
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes, line_times
 from lispac.io.registry import POSSIBLE, Finding, Format, Kind
+from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource
@@ -172,7 +173,7 @@ def examined(
     mappings : mapping of str to str
         Columns chosen for text files before, by their layout.
     """
-    progress(0.0, f"Looking into {path.name}")
+    progress(0.0, gettext_lazy("Examining {file}", file=path.name))
     try:
         found = looks(path)
     except LispacError as refused:
@@ -202,7 +203,7 @@ def examined(
 
 def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entry:
     """Look for the first time into a file that an open project has, as that reads it."""
-    progress(0.0, f"Looking into {entry.path.name}")
+    progress(0.0, gettext_lazy("Examining {file}", file=entry.path.name))
     assert entry.role is not None
     assert entry.given is not None
     try:
@@ -237,7 +238,7 @@ def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
         entry = _looked(entry, dict(entry.stated))
     if entry.error or entry.finding is None:
         return entry
-    progress(0.1, f"Reading {entry.path.name}")
+    progress(0.1, gettext_lazy("Reading {file}", file=entry.path.name))
     try:
         return _filled(entry, progress)
     except Cancelled:

@@ -266,7 +266,7 @@ class LinePoints:
         times = np.concatenate(self._times) if self._times else np.zeros(0)
         return offered(self.line.reading, times[np.isfinite(times)], self.trajectory.time)
 
-    def _why_empty(self, read: int) -> Message | str:
+    def _why_empty(self, read: int) -> Message:
         """Why no point can be used."""
         path = self.line.path
         if not read:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
@@ -161,7 +162,7 @@ def line_quality(
     pairs = list(combinations(points, 2))
     found, missed = [], []
     for k, (one, other) in enumerate(pairs):
-        progress(k / len(pairs), f"Comparing {one} with {other}")
+        progress(k / len(pairs), gettext_lazy("Comparing {one} and {other}", one=one, other=other))
         vessel = _between(survey, one, other)
         try:
             found.append(
@@ -174,7 +175,7 @@ def line_quality(
             missed.append(str(failure))
     if not found:
         raise NotComparable(error("check.no_common_place", project=project.name, distance=reach))
-    progress(1.0, f"Compared {len(found)} pairs of lines")
+    progress(1.0)
     return LineQuality(which, tuple(found), tuple(missed))
 
 

@@ -15,9 +15,9 @@ from contextlib import suppress
 from pathlib import Path
 
 from lispac.caches import MANUAL, MANUAL_MARK, cache_place
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.installed import resource
-from lispac.language import LANGUAGES
+from lispac.language import LANGUAGES, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 
@@ -85,7 +85,10 @@ def build(
             error("manual.not_installed", count=len(missing), packages=missing, folder=str(sources))
         )
     for k, language in enumerate(LANGUAGES):
-        progress(k / len(LANGUAGES), f"building the pages in {LANGUAGES[language]}")
+        progress(
+            k / len(LANGUAGES),
+            gettext_lazy("Building the manual: {language}", language=LANGUAGES[language]),
+        )
         with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
             command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-c", str(sources)]
             command += ["-D", f"language={language}", "-d", scratch]
@@ -132,7 +135,7 @@ def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
             shutil.rmtree(draft, ignore_errors=True)
     except OSError as failure:
         raise InputError(
-            error("manual.not_writable", folder=str(place), reason=failure.strerror or str(failure))
+            error("manual.not_writable", folder=str(place), reason=system_reason(failure))
         ) from failure
     for former in place.iterdir():
         if former.is_dir() and former != built and not former.name.startswith(".draft-"):

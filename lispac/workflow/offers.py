@@ -1,21 +1,35 @@
 """What is offered for a line of which points lie outside the trajectory."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.project import Reading
 from lispac.survey.source import RESTART
-from lispac.survey.time_base import TimeBase, base_of, matches, plausible, sentence
+from lispac.survey.time_base import (
+    LEAP_SECONDS_NOW,
+    Match,
+    TimeBase,
+    base_of,
+    matches,
+    plausible,
+    rival_matches,
+)
 from lispac.survey.time_restart import PERIODS, restart_of
-from lispac.survey.time_stated import CLEARLY_MORE, offer
+from lispac.survey.time_stated import CLEARLY_MORE, base_message, offer
 
 Array = NDArray[np.float64]
 
+NO_SHIFT = 1e-9
+"""Seconds below which a shift is none."""
+MAX_RIVALS = 3
+"""Other shifts that are named."""
 
-def outside(reading: Reading, times: Array, track: Array, file: Path) -> Message | str:
+
+def outside(reading: Reading, times: Array, track: Array, file: Path) -> Message:
     """That a line has no point on the trajectory and what to do.
 
     Parameters
@@ -32,11 +46,10 @@ def outside(reading: Reading, times: Array, track: Array, file: Path) -> Message
     first, last = float(times.min()), float(times.max())
     if not reading.time_shift:
         some, bases = times[:: max(1, len(times) // 1000)], _bases(reading, times)
-        return (
-            f"{file}: its points ({first:.1f} to {last:.1f} s) lie outside the trajectory "
-            f"({track[0]:.1f} to {track[-1]:.1f} s); check the date and the time base, or leave "
-            f"the line out. {sentence(matches(some, track, point_bases=bases))}"
-        )
+        return error(
+            "import.line_outside", file=str(file), first=first, last=last, start=float(track[0]),
+            end=float(track[-1]), fit=fit_message(matches(some, track, point_bases=bases)),
+        )  # fmt: skip
     written = times - reading.time_shift
     inside = ((written >= track[0]) & (written <= track[-1])).any()
     return error(
@@ -44,6 +57,36 @@ def outside(reading: Reading, times: Array, track: Array, file: Path) -> Message
         shift=reading.time_shift, first=first, last=last, start=float(track[0]),
         end=float(track[-1]),
     )  # fmt: skip
+
+
+def fit_message(found: tuple[Match, ...]) -> Message:
+    """How the times of the points fit the trajectory, and whether another shift fits as well."""
+    if not found:
+        return note("time_fit.none")
+    best, rivals = found[0], rival_matches(found)
+    params: dict[str, Any] = {"share": float(best.share)}
+    if abs(best.shift) < NO_SHIFT:
+        fit = note("time_fit.as_is", **params)
+    else:
+        params |= {
+            "points": base_message(best.points), "trajectory": base_message(best.trajectory),
+            "shift": float(best.shift),
+        }  # fmt: skip
+        fit = (
+            note("time_fit.shifted_leap", leap_seconds=float(LEAP_SECONDS_NOW), **params)
+            if best.leap_assumed
+            else note("time_fit.shifted", **params)
+        )
+    if not rivals:
+        return fit
+    others = tuple(
+        note("time_fit.rival", shift=float(match.shift - best.shift),
+             points=base_message(match.points))
+        for match in rivals[:MAX_RIVALS]
+    )  # fmt: skip
+    if len({match.points.key for match in (best, *rivals)}) > 1:
+        return note("time_fit.ambiguous_base", fit=fit, rivals=others)
+    return note("time_fit.ambiguous", fit=fit, rivals=others)
 
 
 def _bases(reading: Reading, times: Array) -> tuple[TimeBase, ...] | None:

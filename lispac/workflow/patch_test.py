@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import PatchObject
@@ -124,10 +125,10 @@ def propose(
     """
     if len(survey.clouds) < 2:
         raise AdjustmentError(error("patch_test.single_line", project=project.name))
-    progress(0.0, "Aligning the lines")
+    progress(0.0, gettext_lazy("Aligning the lines"))
     boresight = survey.aligned.mounting.boresight
     clouds = placed(project, survey, boresight)
-    progress(0.4, "Looking for objects that lines share")
+    progress(0.4, gettext_lazy("Detecting objects"))
     objects = proposed(
         clouds, survey.accuracy, project.settings.lidar_sigma, count=count,
         progress=part(progress, 0.4, 0.6),
@@ -153,7 +154,7 @@ def lay(
     boresight : ndarray of shape (3,), radians
         With which the lines are placed; the boxes are to hold what is meant then.
     """
-    progress(0.0, "Taking the points about the objects")
+    progress(0.0, gettext_lazy("Selecting the points around the objects"))
     clouds = placed(project, survey, boresight)
     sample = Sample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
     at = np.array(boresight, dtype=float)

@@ -18,6 +18,7 @@ from lispac.adjustment.solver import adjust
 from lispac.causes import RESULT
 from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
+from lispac.language import gettext_lazy
 from lispac.messages import Message, error, warning
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
@@ -96,7 +97,7 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         The planes do not determine the boresight.
     """
     threshold = project.settings.threshold
-    progress(0.0, "Laying the lines roughly onto each other")
+    progress(0.0, gettext_lazy("Aligning the lines"))
     aligned = survey.aligned
     settings = FinderSettings(threshold=threshold)
     if aligned.nearly_meets:
@@ -115,7 +116,7 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         find=find,
         progress=part(progress, 0.1, 0.85),
     )
-    progress(0.85, "Looking how flat they are")
+    progress(0.85, gettext_lazy("Fitting the planes"))
     named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
     targets = tuple(
         _target(survey, plane, name, "target", threshold) for name, plane in named.items()
@@ -124,7 +125,7 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     flat = [target for target in targets if judged[target.name].use == "any"]
     if len(flat) < 2:
         raise TargetNotFound(_too_few(project, len(flat), list(judged.values())))
-    progress(0.9, "Choosing the targets")
+    progress(0.9, gettext_lazy("Selecting the targets"))
     chosen, result, planes = _chosen(project, survey, flat, named, judged)
     left = [name for name in named if judged[name].use == "any" and name not in chosen]
     spare = [name for name in named if judged[name].use == "at need"]
@@ -146,8 +147,7 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
             f"{', opposite ones among them' if _opposite(plane, survey) else ''}, "
             f"{plane.centre[2]:.0f} m high.{judged[name].words}"
         )
-    validation = len(proposed) - len(chosen)
-    progress(1.0, f"Proposed {len(chosen)} targets and {validation} validation planes")
+    progress(1.0)
     return Proposal(tuple(proposed), reasons, result.sigma, (), _warnings(result))
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.errors import LispacError
 from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
+from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer
@@ -86,7 +87,10 @@ def judge(
     }
     placed = survey.placed(project, "estimated") if project.result is not None else None
     for k, target in enumerate(project.targets):
-        progress(k / len(project.targets), f"Judging the sightings of {target.name}")
+        progress(
+            k / len(project.targets),
+            gettext_lazy("Assessing the sightings of {target}", target=target.name),
+        )
         kept = {
             key: known[key]
             for key in ((target.name, sighting.line) for sighting in target.sightings)

@@ -12,6 +12,7 @@ from lispac.errors import InputError, PlaneNotFound
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_axes
 from lispac.io.seed_file import MOST, ListedPoint, read_point_list
 from lispac.io.static_scan import StaticScan, few_rows, static_scan
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
@@ -312,7 +313,9 @@ def _read_surface(
             parts = [part[which] for part, which in zip(parts, chosen, strict=True)]
             numbers = [some[which] for some, which in zip(numbers, chosen, strict=True)]
             kept = sum(map(len, parts))
-        progress(0.5, f"Reading {found.path.name}, {done:,} points")
+        progress(
+            0.5, gettext_lazy("Reading {file}: {count:n} points", file=found.path.name, count=done)
+        )
     if not kept:
         raise InputError(error("check.reference_elsewhere", file=str(found.path), distance=reach))
     said = [f"{found.path.name}: {done:,} points, of which {kept:,} lie where the lines have been"]

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import TargetNotFound
+from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
@@ -36,7 +37,10 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
     clouds = survey.placed(project, "estimated")
     used = [target for target in project.of_role("target") if target.used_sightings]
     for k, target in enumerate(used):
-        progress(k / len(used), f"Selecting the points of {target.name} again")
+        progress(
+            k / len(used),
+            gettext_lazy("Selecting the points of {target} again", target=target.name),
+        )
         again = selected_again(target, survey.clouds, clouds)
         project = replace(
             project,

@@ -8,8 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from zlib import crc32
 
-from lispac.errors import InputError, ProjectError
+from lispac.errors import InputError, ProjectError, system_reason
 from lispac.io.project_file import FILE_NAME, SIGHTINGS, write_project
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
@@ -83,7 +84,7 @@ def save_project_as(
                 error(
                     "project_folder.not_writable",
                     folder=str(folder),
-                    reason=failure.strerror or str(failure),
+                    reason=system_reason(failure),
                 )
             ) from failure
         with _sightings_taken_back(folder):
@@ -195,7 +196,7 @@ def _copy(stored: StoredLine, there: Path, done: int, total: int, progress: Prog
         with source, place.open("xb") as copy:
             then = os.fstat(source.fileno())  # its name may be gone at the end
             while piece := source.read(PIECE):
-                progress(min(done / total, 1.0), f"Copying {stored.name}")
+                progress(min(done / total, 1.0), gettext_lazy("Copying {line}", line=stored.name))
                 copy.write(piece)
                 found = crc32(piece, found)
                 done += len(piece)

@@ -14,10 +14,14 @@ from pathlib import Path
 import numpy as np
 
 import lispac
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError
 from lispac.io.files import written_whole
 from lispac.io.values import encoded
+from lispac.language import gettext_lazy
+from lispac.message_texts import english_text
+from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.source import USUAL
@@ -39,13 +43,13 @@ class Script:
 
     Attributes
     ----------
-    remarks : tuple of str
+    remarks : tuple of Message
         Where its numbers differ from the project's, and what it cannot know; they stand in the
         text too.
     """
 
     text: str
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
 
 def script_of(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Script:
@@ -66,7 +70,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     picked, count = [], len(project.targets)
     for k, target in enumerate(project.targets):
         step = part(progress, 0.6 * k / count, 0.6 * (k + 1) / count)
-        step(0.0, f"Trying the seed of {target.name}")
+        step(0.0, gettext_lazy("Checking the seed of {target}", target=target.name))
         picked += list(steps_to(project, survey, target, step))
     blocks.append(picked)
     remarks = _gone(project)
@@ -86,7 +90,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         call("project.report", Code(f"folder / {f'{name}.json'!r}")),
         call("project.report", Code(f"folder / {f'{name}.pdf'!r}")),
     ])  # fmt: skip
-    progress(1.0, "Script made")
+    progress(1.0)
     steps = "\n\n".join("\n".join(block) for block in blocks if block)
     return Script(f"{_head(project, files, remarks)}\n{steps}\n", tuple(remarks))
 
@@ -103,13 +107,13 @@ def save_script(script: Script, path: Path) -> None:
         temporary.write_text(script.text, encoding="utf-8", errors="replace", newline="\n")
 
 
-def _head(project: Project, files: Files, remarks: list[str]) -> str:
+def _head(project: Project, files: Files, remarks: list[Message]) -> str:
     name = "".join(letter if letter.isprintable() else "?" for letter in project.name)
     said = [
         f"Steps of the project {name}, as LISPAC {lispac.__version__} wrote them.",
         "Run it with the Python that LISPAC is installed in: python SCRIPT FOLDER makes the "
         "project in that folder, python SCRIPT in the one named below.",
-        *remarks,
+        *map(english_text, remarks),
     ]
     comments = [
         row for words in said
@@ -156,11 +160,11 @@ def _found_again(project: Project, survey: Survey) -> bool:
     return bool(notes) and tuple(found) == stated and set(notes) <= set(survey.notes)
 
 
-def _gone(project: Project) -> list[str]:
+def _gone(project: Project) -> list[Message]:
     """Files that the script needs and that are not there."""
     paths = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
     gone = [str(path) for path in paths if path is not None and not path.exists()]
-    return [f"The script needs what is not there now: {', '.join(gone)}."] if gone else []
+    return [note("script.missing_files", files=gone)] if gone else []
 
 
 def _line(line: LineSource, files: Files) -> Code:
@@ -182,29 +186,25 @@ def _compared(project: Project) -> Iterator[str]:
     yield call("project.validate", model.kind, neighbours=model.neighbours, **named)
 
 
-def _other_angles(project: Project, survey: Survey, progress: Progress) -> list[str]:
+def _other_angles(project: Project, survey: Survey, progress: Progress) -> list[Message]:
     """What there is to say where the steps lead to other angles than the project has."""
     assert project.result is not None
     try:
         again = estimate(project, survey, cross_check=False, progress=progress).result
     except LispacError as error:
-        return [f"The project has angles, but estimating them is refused now: {error}"]
+        return [note("script.estimate_refused", reason=error.reason)]
     assert again is not None
-    off = np.degrees(np.abs(again.boresight - project.result.boresight))
+    off = np.abs(again.boresight - project.result.boresight)
     if not off.any():
         return []
     worst = int(np.argmax(off))
-    return [
-        f"The angles of the project differ from those of this script, by up to {off[worst]:.1g} "
-        f"deg ({ANGLES[worst]}): after a sighting was left out they followed with the points as "
-        "they were selected before, or another version found them. Estimate again in the project "
-        "to have those of the script."
-    ]
+    angle = quantity(ANGLES[worst])
+    return [note("script.other_angles", difference=float(off[worst]), angle=angle)]
 
 
 def _checked(
     project: Project, survey: Survey, check: AbsoluteCheck, files: Files, progress: Progress
-) -> tuple[list[str], list[str]]:
+) -> tuple[list[str], list[Message]]:
     """The check against a reference, and what is not known of it."""
     # Of a list the project keeps the usual sigma of its points, not that which was asked for.
     sigmas = (check.sigma,) if check.kind == "scan" else (SIGMA, check.sigma)
@@ -212,9 +212,7 @@ def _checked(
     if path is None:
         step = _check_step(check.reference, sigmas[0], check.reach)
         return [f"# {row}" for row in step.splitlines()], [
-            f"The reference {check.reference} was not found beside the lines: put its path into "
-            "the step project.check, with its sigma and crs where they were chosen, and take the "
-            "# away."
+            note("script.no_reference", file=check.reference)
         ]
     for sigma in sigmas:
         try:
@@ -226,9 +224,7 @@ def _checked(
         if encoded(again.absolute) == encoded(check):
             return [_check_step(files(path), sigma, check.reach)], []
     return [_check_step(files(path), sigmas[0], check.reach)], [
-        f"The check against {check.reference} gives other numbers so: its coordinates were taken "
-        f"to be in {check.system}. Put crs, sigma and what else was chosen then into the step "
-        "project.check."
+        note("script.other_check", file=check.reference, system=check.system)
     ]
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
@@ -128,6 +129,6 @@ def _ends(line: Line) -> Array:
 def _cut(which: Which, clouds: Mapping[str, Cloud], section: Section, progress: Progress) -> Cut:
     points = {}
     for k, (line, cloud) in enumerate(clouds.items()):
-        progress(k / len(clouds), f"Cutting {line}")
+        progress(k / len(clouds), gettext_lazy("Computing the section of {line}", line=line))
         points[line] = section.cut(cloud)
     return Cut(which, section, points)

@@ -10,6 +10,7 @@ import numpy as np
 from lispac.doubles import overlap_words
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.seed_file import PointList, read_point_list
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Role, Target, Triple
@@ -160,7 +161,15 @@ def pick_seeds(
     outcomes = []
     for k, seed in enumerate(seeds):
         step = part(progress, k / len(seeds), (k + 1) / len(seeds))
-        step(0.0, f"Searching for {seed.name} ({k + 1} of {len(seeds)})")
+        step(
+            0.0,
+            gettext_lazy(
+                "Searching for {target} ({number:n} of {count:n})",
+                target=seed.name,
+                number=k + 1,
+                count=len(seeds),
+            ),
+        )
         asked = dict(how) if seed.role == "target" else {**how, **PLANE}
         try:
             target = find(

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.installed import resource, user_folder
 from lispac.io.sensor_file import (
     Figures,
@@ -20,9 +20,37 @@ from lispac.io.sensor_file import (
     read_scanner_figures,
     write_figures,
 )
-from lispac.messages import error
+from lispac.language import N_, gettext
+from lispac.messages import Message, as_message, error
 
-FROM_MEMORY = "from memory, check against the data sheet"
+FROM_MEMORY = N_("{source} (not verified: check the data sheet)")
+SOURCES = (
+    N_("Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, 60 s without GNSS, RTK before)"),
+    N_("Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, no outage); the base 10 km away"),
+    N_(
+        "HDL-32E user's manual 63-9113: range, accuracy taken for noise; direction and beam assumed"
+    ),
+    N_(
+        "Heading: POS MV V4 User Guide (2009), page 1-8, antennas 2 m apart; the rest "
+        "without a data sheet, the base 10 km away"
+    ),
+    N_("No data sheet at hand; DGNSS without fixed ambiguities"),
+    N_("No data sheet at hand; POSPac, antennas 2 m apart, the base 10 km away"),
+    N_("No data sheet at hand; precision, and the resolution of the angle, taken for its sigma"),
+    N_("No data sheet at hand; rounded up"),
+    N_("No data sheet at hand; some 60 s without GNSS, rounded up"),
+    N_(
+        "Ouster OS1 data sheet (128 channels up to +22.5 deg; no date): repeatability "
+        "with a strong signal"
+    ),
+    N_("PandarXT user manual: range, precision; direction and beam assumed"),
+    N_("RIEGL VUX-1UAV data sheet: precision; the resolution of the angle, taken for its sigma"),
+    N_(
+        "Thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the beam spreads by less"
+    ),
+    N_("Thesis, section 1.2.2, table 1.2, after iXblue (2019); the base 10 km away"),
+)
+"""Sources of the sensors that come with the program, for their translation."""
 LONGEST = 200
 """Letters of a title or a source."""
 INVENTED = ("profiler",)
@@ -54,7 +82,7 @@ class Library:
 
     scanners: tuple[Sensor[ScannerFigures], ...]
     pos: tuple[Sensor[PosFigures], ...]
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     def scanner(self, name: str) -> ScannerFigures:
         """The scanner of a name.
@@ -99,7 +127,7 @@ def library(folder: Path) -> Library:
     folder : Path
         Holds ``scanners`` and ``pos``; it need not exist.
     """
-    remarks: list[str] = []
+    remarks: list[Message] = []
     return Library(
         _read(
             "scanners", folder, lambda path: read_scanner_figures(path, whole=False),
@@ -112,7 +140,7 @@ def library(folder: Path) -> Library:
 
 def _read(
     kind: str, folder: Path, supplied: Callable[[Path], F], own: Callable[[Path], F],
-    remarks: list[str],
+    remarks: list[Message],
 ) -> tuple[Sensor[F], ...]:  # fmt: skip
     found = {
         path.stem: Sensor(path.stem, supplied(path), own=False)
@@ -123,7 +151,7 @@ def _read(
         try:
             found[path.stem] = Sensor(path.stem, own(path), own=True)
         except InputError as failure:
-            remarks.append(str(failure))
+            remarks.append(as_message(failure.reason))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
 
 
@@ -194,7 +222,7 @@ def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) ->
         path.unlink()
     except OSError as failure:
         raise InputError(
-            error("sensor.not_removed", file=str(path), reason=failure.strerror or str(failure))
+            error("sensor.not_removed", file=str(path), reason=system_reason(failure))
         ) from failure
 
 
@@ -227,7 +255,7 @@ def sigmas_of(state: PosState) -> dict[str, Any]:
     }
 
 
-def origin_of(figures: ScannerFigures | PosState, said: Callable[[str], str] = str) -> str:
-    """Where the figures come from, and whether to check them; ``said`` translates it."""
-    source = said(figures.source)
-    return f"{source} ({said(FROM_MEMORY)})" if figures.from_memory else source
+def origin_of(figures: ScannerFigures | PosState) -> str:
+    """Where the figures come from, and whether they are not verified."""
+    source = gettext(figures.source)
+    return gettext(FROM_MEMORY, source=source) if figures.from_memory else source

@@ -18,6 +18,7 @@ from lispac.io.las import write_points
 from lispac.io.project_file import FILE_NAME, SIGHTINGS, remove_points
 from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.io.text_export import write_table
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Settings, Triple
@@ -86,7 +87,7 @@ def simulate(
     project = project_of(
         folder, [line.name for line in survey.lines], settings, np.degrees(survey.boresight)
     )
-    progress(1.0, "Simulated")
+    progress(1.0)
     return project, {line.name: len(line.time) for line in survey.lines}
 
 
@@ -204,7 +205,7 @@ def write_lines(
     """Write each line in the scanner frame, with time and intensity."""
     lines = []
     for k, line in enumerate(survey.lines):
-        progress(k / len(survey.lines), f"Writing {line.name}")
+        progress(k / len(survey.lines), gettext_lazy("Writing {line}", line=line.name))
         path = raw / f"{line.name}.laz"
         write_points(path, line.points_lidar, line.time, line.intensity.astype(float))
         lines.append(LineSource(line.name, path))

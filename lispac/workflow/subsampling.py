@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
@@ -76,7 +77,7 @@ def subsampling_study(
     found = []
     for k, distance in enumerate(chosen):
         step = part(progress, 0.4 + 0.6 * k / len(chosen), 0.4 + 0.6 * (k + 1) / len(chosen))
-        step(0.0, f"Adjusting with {distance:g} m between the points")
+        step(0.0, gettext_lazy("Adjusting with {distance:m} m between points", distance=distance))
         settings = replace(project.settings, subsample=distance)
         started = perf_counter()
         solved = solve(
@@ -87,5 +88,5 @@ def subsampling_study(
         result = solved.result
         assert result is not None
         found.append(Subsampled(distance, result.points, result.boresight, result.sigma, seconds))
-    progress(1.0, f"Adjusted {len(found)} times")
+    progress(1.0)
     return tuple(found)

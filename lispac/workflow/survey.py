@@ -17,6 +17,7 @@ from lispac.io.las_chunks import point_count
 from lispac.io.registry import Kind
 from lispac.io.sbet import SHARED_BASE
 from lispac.io.values import decoded
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, Value, error
 from lispac.progress import Progress, no_progress, part
@@ -100,7 +101,7 @@ class Survey:
         """As `placed`, with what stands for them in a picture at hand."""
         clouds = self.placed(project, which)
         for k, (name, cloud) in enumerate(clouds.items()):
-            progress(k / len(clouds), f"Placing {name}")
+            progress(k / len(clouds), gettext_lazy("Placing {line}", line=name))
             assert len(cloud.sample)
         return clouds
 
@@ -148,7 +149,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         Where a line has to be imported and its store cannot be written.
     """
     require_files(project)
-    progress(0.0, f"Reading {project.trajectory.name}")
+    progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, notes = local_trajectory(project)
     notes = _with_shifts(project, notes)
     accuracy, said = _accuracy(project, trajectory)
@@ -182,7 +183,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     messages += simultaneous_messages(audits, first_times)
     sampled = {name: _some_times(scan) for name, scan in scans.items()}
     messages += interpolation_messages(trajectory, accuracy, sampled)
-    progress(1.0, "Survey loaded")
+    progress(1.0)
     return Survey(
         trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
     )
@@ -296,9 +297,9 @@ def _opened(
         except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
         return stored, cloud, said, found
-    progress(0.0, f"Reading {line.path.name}")
+    progress(0.0, gettext_lazy("Reading {file}", file=line.path.name))
     scan, found = read_line(line, trajectory, mounting)
-    progress(0.7, f"Georeferencing {line.name}")
+    progress(0.7, gettext_lazy("Georeferencing {line}", line=line.name))
     placed = CloudInMemory.of(scan, trajectory, mounting)
     return scan, placed, scan.assumptions, found
 

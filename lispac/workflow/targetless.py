@@ -21,6 +21,7 @@ from lispac.adjustment.shown import listed
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.natural.choice import COUNT, Choice, chosen
 from lispac.natural.patches import Patches, patches_of
@@ -129,7 +130,7 @@ def targetless(
         raise AdjustmentError(error("targetless.single_line", project=project.name))
     own = _targets_alone(project) if with_targets else None
     started = perf_counter()
-    progress(0.0, "Aligning the lines")
+    progress(0.0, gettext_lazy("Aligning the lines"))
     # Wherever the prior is, near or far, the start is the same.
     mounting = survey.aligned.mounting
     quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
@@ -137,7 +138,7 @@ def targetless(
     picked, found, rounds, settled, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
         step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
-        step(0.0, f"Matching the lines, round {rounds}")
+        step(0.0, gettext_lazy("Matching the lines, round {number:n}", number=rounds))
         clouds = placed_with(survey.clouds, mounting)
         patches = patches_of(
             clouds, settings.lidar_sigma, max(threshold, settings.threshold),

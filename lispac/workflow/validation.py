@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.errors import NotComparable, ProjectError
+from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
@@ -44,7 +45,7 @@ def validate(
     reasons: list[Message | str] = []
     for k, plane in enumerate(planes):
         step = part(progress, k / len(planes), (k + 1) / len(planes))
-        step(0.0, f"Comparing the lines on {plane.name}")
+        step(0.0, gettext_lazy("Comparing the lines on {target}", target=plane.name))
         before, after, ranges = {}, {}, {}
         for sighting in plane.used_sightings:
             before[sighting.line] = survey.clouds[sighting.line][sighting.indices]

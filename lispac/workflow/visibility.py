@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from lispac.io.files import written_whole
+from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.report.tables import csv_text
 from lispac.report.visibility_figures import CRITERIA, visibility_figure
@@ -52,7 +53,7 @@ def write_visibility(
     drawn = [(error, criterion, form) for error in errors for criterion in CRITERIA
              for form in formats]  # fmt: skip
     for k, (error, criterion, form) in enumerate(drawn):
-        progress(k / len(drawn), "drawing")
+        progress(k / len(drawn), gettext_lazy("Drawing the figures"))
         name = f"{found.site.name}-{error.replace('_', '-')}-{criterion}.{form}"
         with written_whole(folder / name) as part:
             visibility_figure(found, error, criterion).savefig(part, format=form, dpi=RESOLUTION)

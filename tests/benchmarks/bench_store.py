@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 
 from lispac.io.sbet import write_sbet
+from lispac.progress import Step
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.georeferencing import Georeferencer
 from lispac.survey.trajectory import Trajectory
@@ -104,8 +105,8 @@ def report(folder: str) -> None:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     stages: dict[str, tuple[float, float]] = {}
 
-    def progress(fraction: float, message: str = "") -> None:
-        stages.setdefault(message.partition(" ")[0], now())
+    def progress(fraction: float, step: Step | None = None) -> None:
+        stages.setdefault(str(step).partition(" ")[0], now())
 
     start = now()
     stored = import_line(project, project.lines[0], trajectory, progress=progress).stored

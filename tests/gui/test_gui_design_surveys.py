@@ -96,7 +96,7 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     driver.bot.keyClicks(surveys.surveys, "5000")
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.waitUntil(lambda: runner.current.fraction * 5000 >= 40, timeout=WAIT_MS)
-    driver.bot.waitUntil(lambda: "surveys/s" in runner.current.message, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: "surveys/s" in str(runner.current.step), timeout=WAIT_MS)
     driver.bot.waitUntil(lambda: " left" in coarse.task_bar.text.text(), timeout=WAIT_MS)
     click(driver, surveys.cancel)
     settled(driver)

@@ -22,7 +22,8 @@ from lispac.gui.language import speak
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import Task, TaskRunner
-from lispac.progress import Progress
+from lispac.language import gettext_lazy
+from lispac.progress import PointStep, Progress
 from lispac.project import Project
 from lispac.workflow import edits
 from tests.gui.support import Demo
@@ -61,7 +62,7 @@ def test_the_work_runs_elsewhere_and_its_value_comes_back_here(qtbot, runner):
 def test_a_cancelled_task_hands_nothing_over(qtbot, runner):
     got = []
     runner.run("Endless", endless, got.append)
-    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped) as stopped:
         runner.cancel()
     assert stopped.args == ["Endless"]
@@ -147,7 +148,7 @@ def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_
 def test_lasting_work_that_stops_when_asked_is_cancelled(qtbot, runner):
     got = []
     runner.run("Export", endless, got.append, lasting=True)
-    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped):
         runner.cancel()
     assert got == []
@@ -168,7 +169,7 @@ def test_a_failed_task_tells_why_and_the_next_one_runs(qtbot, runner):
 def test_quiet_work_gives_way_and_a_later_one_replaces_it(qtbot, runner):
     got = []
     runner.run("First", endless, got.append, quiet=True, key="count")
-    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    qtbot.waitUntil(lambda: runner.current.step == "going on")
     assert not runner.busy
     runner.run("Second", lambda _progress: 2, got.append, quiet=True, key="count")
     qtbot.waitUntil(lambda: got == [2])
@@ -204,7 +205,7 @@ def test_closing_waits_for_the_worker(qtbot):
             raise
 
     runner.run("Endless", work, lambda _value: None)
-    qtbot.waitUntil(lambda: runner.current.message == "going on")
+    qtbot.waitUntil(lambda: runner.current.step == "going on")
     runner.close()
     assert ended == [True]
     assert "lispac-worker" not in [thread.name for thread in threading.enumerate()]
@@ -295,22 +296,25 @@ def test_recent_projects_come_back_newest_first(tmp_path: Path):
     assert again.point_size == 4
 
 
+READING = gettext_lazy("Reading {line}", line="L1")
+
+
 @pytest.mark.parametrize(
-    ("message", "shown"),
+    ("step", "shown"),
     [
-        ("Matching", "Matching  ·  5 %/s, 10 s left"),
-        ("Reading L1: 4.9 M of 20.0 M points, 2.10 M points/s, 7 s left",
+        (gettext_lazy("Aligning the lines"), "Aligning the lines  ·  5 %/s, 10 s left"),
+        (PointStep(READING, 4_900_000, 20_000_000, 2.1e6),
          "Reading L1: 4.9 M of 20.0 M points, 2.10 M points/s  ·  10 s left"),
-        ("Reading L1: 4.9 M of 20.0 M points", "Reading L1: 4.9 M of 20.0 M points"
-         "  ·  5 %/s, 10 s left"),
+        (PointStep(READING, 4_900_000, 20_000_000),
+         "Reading L1: 4.9 M of 20.0 M points  ·  5 %/s, 10 s left"),
     ],
 )  # fmt: skip
-def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, message, shown):
+def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, step, shown):
     bar = TaskBar()
     qtbot.addWidget(bar)
     task = Task("Import", lambda progress: None, lambda value: None)
     task.started = time.monotonic() - 10
-    task.report(0.5, message)
+    task.report(0.5, step)
     bar.show_task(task)
     assert bar.text.text() == shown
 
@@ -320,11 +324,11 @@ def test_time_left_is_french_after_a_name_that_stays(qtbot: QtBot) -> None:
     qtbot.addWidget(bar)
     task = Task("Adjusting", lambda progress: None, lambda value: None)
     task.started = time.monotonic() - 10
-    task.report(0.5, "Cross-checking: line L5_315")
+    task.report(0.5, gettext_lazy("Reading {line}", line="Sud"))
     speak("fr")
     try:
         bar.show_task(task)
     finally:
         speak("en")
-    said = "Vérification croisée : ligne L5_315  ·  5 %/s, encore 10 s"
-    assert bar.text.text().replace("\u202f", " ").replace("\u00a0", " ") == said
+    shown = "Lecture de Sud  ·  5 %/s, encore 10 s"
+    assert bar.text.text().replace("\u202f", " ").replace("\u00a0", " ") == shown

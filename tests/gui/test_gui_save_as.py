@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLine
 from lispac.errors import InputError, ProjectError
 from lispac.gui.dialogs.service import Dialogs
 from lispac.io.project_file import write_project
-from lispac.progress import no_progress
+from lispac.progress import Step, no_progress
 from lispac.project import Project
 from lispac.workflow.importing import import_lines, line_folder
 from lispac.workflow.projects import open_project, save_project
@@ -147,8 +147,8 @@ def test_imported_lines_go_along(demo: Demo, tmp_path: Path) -> None:
         save_project_as(one, survey, tmp_path / "new")
     assert raised.value.code == "project_folder.exists"
 
-    def stop(fraction: float, message: str = "") -> None:
-        if message.startswith("Copying"):
+    def stop(fraction: float, step: Step | None = None) -> None:
+        if str(step).startswith("Copying"):
             raise OSError(28, "No space left on device")
 
     with pytest.raises(InputError) as refused:

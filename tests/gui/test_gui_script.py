@@ -106,7 +106,7 @@ def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer
     shown(opened, read)
     moved = np.degrees(np.abs(opened.project.result.boresight - followed.boresight)).max()
     assert moved > 0
-    assert f"by up to {moved:.1g} deg" in remarks[0]
+    assert f"by up to {moved:.4f} deg" in remarks[0]
     assert remarks[1] == ""
 
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
-from lispac.progress import Progress
+from lispac.progress import Progress, Step
 from lispac.workflow import seed_lists
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.seed_lists import pick_seeds
@@ -133,12 +133,12 @@ def test_dropped_on_the_window_and_cancelled_while_picking(
     def waits(*args, progress: Progress) -> tuple:
         """As it is, but goes on with the second seed only when it is cancelled, or far too late."""
 
-        def report(fraction: float, message: str = "") -> None:
+        def report(fraction: float, step: Step | None = None) -> None:
             late = time.monotonic() + WAIT_MS / 1000
             while fraction and time.monotonic() < late:
-                progress(fraction, message)
+                progress(fraction, step)
                 time.sleep(0.01)
-            progress(fraction, message)
+            progress(fraction, step)
 
         return pick_seeds(*args, progress=report)
 

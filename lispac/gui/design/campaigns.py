@@ -16,8 +16,8 @@ from lispac.design.scenarios import (
 from lispac.design.search import Design, Mapper, search
 from lispac.design.site import Site
 from lispac.gui.design.surveys import Asked
-from lispac.language import N_, gettext
-from lispac.progress import Progress
+from lispac.language import N_, gettext_lazy
+from lispac.progress import Progress, Step
 from lispac.workflow.campaign import pool_of
 from lispac.workflow.designing import many_surveys
 
@@ -42,15 +42,15 @@ class Rated:
 
     _fraction = 0.0
 
-    def progress(self, fraction: float, message: str = "") -> None:
+    def progress(self, fraction: float, step: Step | None = None) -> None:
         """Report the progress with the rate."""
         self._fraction = fraction
         elapsed = time.monotonic() - self._began
         known = elapsed > 0.5 and self._count
-        if message and known:
-            rate = gettext(self._rate, rate=self._count / elapsed)
-            message = gettext("{message}, {rate}", message=message, rate=rate)
-        self._progress(fraction, message)
+        if step is not None and known:
+            rate = gettext_lazy(self._rate, rate=self._count / elapsed)
+            step = gettext_lazy("{step}, {rate}", step=step, rate=rate)
+        self._progress(fraction, step)
 
 
 def best_plan(
@@ -58,7 +58,7 @@ def best_plan(
 ) -> Design:
     """The best plan of a site, on all cores where there are many to look at."""
     workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
-    progress(0.0, gettext("Starting the search"))
+    progress(0.0, gettext_lazy("Starting the search"))
     with pool_of(workers) as mapper:
         rated = Rated(mapper, progress, N_("{rate:x} plans/s"))
         return search(
@@ -73,7 +73,7 @@ def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
 
 def simulated_surveys(plan: Plan, asked: Asked, progress: Progress) -> Scatter:
     """Many surveys of a plan, on all cores; cancelled, those that are finished if enough are."""
-    progress(0.0, gettext("Starting the surveys"))
+    progress(0.0, gettext_lazy("Starting the surveys"))
     with pool_of(os.cpu_count() or 1, at_once=1) as mapper:
         rated = Rated(mapper, progress, N_("{rate:x.1} surveys/s"))
         return many_surveys(

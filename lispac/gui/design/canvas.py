@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import local_number
 from lispac.io.plan_file import TitledPlan
 from lispac.language import LazyText
 
@@ -141,7 +140,7 @@ class Canvas(QWidget):
                 at = np.array([k * step, k * step])
                 spot = self.pixel(at)
                 painter.setPen(QPen(QColor(theme.GRID), 1))
-                figure = local_number(f"{k * shown:g}").replace("-", "−")
+                figure = units.localised(f"{k * shown:g}")
                 if axis == 0:
                     painter.drawLine(QPointF(spot.x(), 0), QPointF(spot.x(), self.height()))
                     painter.setPen(QColor(theme.MUTED))

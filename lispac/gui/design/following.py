@@ -9,6 +9,7 @@ from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import gettext
+from lispac.messages import Message
 from lispac.progress import Progress
 
 PAUSE_MS = 250
@@ -23,13 +24,13 @@ class Said:
 
     Attributes
     ----------
-    sentences : tuple of str
+    remarks : tuple of Message
         Observability of the angles.
     thesis : Told
         Plan of the thesis on this wall, with this system.
     """
 
-    sentences: tuple[str, ...]
+    remarks: tuple[Message, ...]
     thesis: Told
 
 
@@ -40,7 +41,7 @@ class Following(QObject):
 
     Attributes
     ----------
-    has_said : whether the sentences shown are the plan's
+    has_said : whether the remarks shown are the plan's
     """
 
     foretold = Signal(object)
@@ -123,7 +124,7 @@ class Following(QObject):
 
         def work(progress: Progress) -> Said:
             thesis = Told.of(edits.thesis_beside(titled))
-            return Said(told.sentences(titled.plan, progress), thesis)
+            return Said(told.remarks(titled.plan, progress), thesis)
 
         def done(found: Said) -> None:
             self.has_said = True

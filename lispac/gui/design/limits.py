@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QFormLayout, QLineEdit, QWidget
 from lispac.design.site import Site
 from lispac.errors import InputError, LispacError
 from lispac.gui import units
-from lispac.gui.language import local_number
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
@@ -63,8 +62,8 @@ def numbers_of(
         if not low <= value <= high:
             raise InputError(
                 error(
-                    "window.out_of_range", field=what, text=local_number(f"{typed:g}"),
-                    low=local_number(_end(low, base)), high=local_number(_end(high, base)),
+                    "window.out_of_range", field=what, text=units.localised(f"{typed:g}"),
+                    low=units.localised(_end(low, base)), high=units.localised(_end(high, base)),
                     unit=shown,
                 )
             )  # fmt: skip
@@ -112,8 +111,8 @@ class LimitsForm(QWidget):
             field.setToolTip(
                 gettext(
                     "{tip}. A list of numbers from {low} to {high} {unit}",
-                    tip=gettext(tip), low=local_number(_end(low, base)),
-                    high=local_number(_end(high, base)), unit=shown,
+                    tip=gettext(tip), low=units.localised(_end(low, base)),
+                    high=units.localised(_end(high, base)), unit=shown,
                 )
             )  # fmt: skip
             field.textChanged.connect(self._judge)

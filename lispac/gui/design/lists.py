@@ -11,7 +11,6 @@ from lispac.gui.design import edits
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.number_table import Field, NumberTable
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import local_number
 from lispac.gui.panels import widgets
 from lispac.io.plan_file import SIDES
 from lispac.language import N_, LazyText, gettext, gettext_lazy
@@ -170,7 +169,7 @@ def _title(fields: Sequence[Field], name: str) -> LazyText:
 
 def _length(metres: float) -> str:
     """A length in the unit shown, with its sign."""
-    return f"{local_number(units.limit(metres, 'm'))} {units.unit('m').sign}"
+    return f"{units.localised(units.limit(metres, 'm'))} {units.unit('m').sign}"
 
 
 def _cells(each: Hung) -> tuple[float | str | None, ...]:

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme, units
-from lispac.gui.language import local_number
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
 from lispac.language import gettext
@@ -103,9 +102,9 @@ class Field:
             raise InputError(
                 error(
                     "window.out_of_range", field=gettext(self.title),
-                    text=local_number(f"{typed:g}"),
-                    low=local_number(self.limit(self.low)),
-                    high=local_number(self.limit(self.high)), unit=self.sign,
+                    text=units.localised(f"{typed:g}"),
+                    low=units.localised(self.limit(self.low)),
+                    high=units.localised(self.limit(self.high)), unit=self.sign,
                 )
             )  # fmt: skip
         return value
@@ -119,7 +118,7 @@ class Field:
         form = f".{self.decimals}f"
         figure = f"{value:{form}}" if self.base is None else units.figure(value, self.base, form)
         figure = figure if float(figure) else figure.replace("-", "")
-        return local_number(figure).replace("-", "−")
+        return units.localised(figure)
 
 
 class NumberTable(QTableWidget):
@@ -173,8 +172,8 @@ class NumberTable(QTableWidget):
             return tip
         tip = gettext(
             "{tip}. Range: {low} to {high} {unit}",
-            tip=tip, low=local_number(field.limit(field.low)),
-            high=local_number(field.limit(field.high)), unit=field.sign,
+            tip=tip, low=units.localised(field.limit(field.low)),
+            high=units.localised(field.limit(field.high)), unit=field.sign,
         ).rstrip()  # fmt: skip
         if field.empty:
             tip = gettext("{tip}. Empty: {meaning}", tip=tip, meaning=gettext(field.empty))

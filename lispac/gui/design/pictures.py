@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import OF_THE_THESIS, Outcome
 from lispac.design.search import Step
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.turns import Turn
 from lispac.language import N_, LazyText, gettext
@@ -60,7 +59,7 @@ class PicturesPanel(QWidget):
             own = [each for each in found if each.scenario == name]
             title = LazyText(OF_THESIS, {"scenario": LazyText(name, {})})
             title = title if name in OF_THE_THESIS else LazyText(name, {})
-            self._put(name, title, lambda figure, own=own: scenario_figure(own, figure, say))
+            self._put(name, title, lambda figure, own=own: scenario_figure(own, figure))
         self.which.setCurrentIndex(0)
 
     def show_front(self, front: Sequence[Step], label: str) -> None:
@@ -70,7 +69,7 @@ class PicturesPanel(QWidget):
         self._put(
             LESS_TIME,
             LazyText(LESS_TIME, {}),
-            lambda figure: front_figure(front, label, figure, say),
+            lambda figure: front_figure(front, label, figure),
         )
         self.which.setCurrentIndex(self.which.findData(LESS_TIME))
 
@@ -78,7 +77,7 @@ class PicturesPanel(QWidget):
         """Show the errors of simulated surveys."""
         from lispac.report.design_figures import errors_figure
 
-        self._put(ERRORS, LazyText(ERRORS, {}), lambda figure: errors_figure(found, figure, say))
+        self._put(ERRORS, LazyText(ERRORS, {}), lambda figure: errors_figure(found, figure))
         self.which.setCurrentIndex(self.which.findData(ERRORS))
 
     def take_over(self, former: "PicturesPanel") -> None:

@@ -9,7 +9,6 @@ from lispac.gui import theme, units
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import REACH, Array, Canvas
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import local_number
 from lispac.language import LazyText, gettext, gettext_lazy
 from lispac.simulation.closed_form import Board
 
@@ -132,7 +131,7 @@ class PlanView(Canvas):
         painter.drawText(first + QPointF(-wide / 2, 4), number)
         if chosen:
             line = self.workspace.titled.plan.lines[k]
-            distance = local_number(units.limit(line.distance, "m"))
+            distance = units.localised(units.limit(line.distance, "m"))
             label = f"{line.heading_deg:03.0f}°, {distance} {units.unit('m').sign}"
             at = (first + last) / 2 + QPointF(8, -8)
             self.words(painter, at, label, theme.MOVED)

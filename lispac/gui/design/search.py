@@ -147,7 +147,7 @@ class SearchPanel(QScrollArea):
 
 
 @dataclass(frozen=True)
-class Found(LazyText):
+class Found:
     """Result of a search as a text.
 
     Attributes

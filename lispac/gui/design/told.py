@@ -10,11 +10,11 @@ from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
 from lispac.design.search import Worth, worth
 from lispac.gui import units
-from lispac.gui.language import local_number
 from lispac.io.plan_file import TitledPlan
 from lispac.language import N_, Plural, gettext, number
+from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress
-from lispac.workflow.designing import words_of
+from lispac.workflow.designing import remarks_on
 
 UNKNOWN, OPEN = "–", N_("undetermined")
 
@@ -67,7 +67,7 @@ def sigma_text(degrees: float) -> str:
     """A standard deviation in the unit and the language of the user."""
     if not np.isfinite(degrees):
         return gettext(OPEN)
-    return local_number(units.figure(degrees, "°", form(degrees)))
+    return units.localised(units.figure(degrees, "°", form(degrees)))
 
 
 def form(degrees: float) -> str:
@@ -75,11 +75,11 @@ def form(degrees: float) -> str:
     return ".4f" if degrees < 5.0 else ".2f"
 
 
-def sentences(plan: Plan, progress: Progress = no_progress) -> tuple[str, ...]:
+def remarks(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:
     """Observability of the angles, as after an adjustment."""
     if not plan.targets or not plan.lines:
-        return (gettext("Add a target and at least two lines."),)
-    return words_of(plan, progress=progress)
+        return (note("plan.empty"),)
+    return remarks_on(plan, progress=progress)
 
 
 def minutes(titled: TitledPlan) -> str:

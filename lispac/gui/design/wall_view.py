@@ -11,7 +11,6 @@ from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array, Canvas
 from lispac.gui.design.edits import Hung
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import local_number
 from lispac.language import LazyText, current_language, gettext, gettext_lazy
 
 LEAST = 8.0
@@ -37,7 +36,7 @@ class WallView(Canvas):
             ),
         )  # fmt: skip
         wide, fine = (
-            f"{local_number(units.limit(units.step(step, 'm'), 'm'))} {unit}"
+            f"{units.localised(units.limit(units.step(step, 'm'), 'm'))} {unit}"
             for step in (STEP, FINE)
         )
         self.setToolTip(
@@ -86,8 +85,7 @@ class WallView(Canvas):
             self.words(painter, box.topLeft() + QPointF(0, -3), label)
             if k == self.workspace.target:
                 along, up = (
-                    local_number(units.figure(v, "m", ".2f"), sign=True)
-                    for v in (each.along, each.up)
+                    units.localised(units.figure(v, "m", "+.2f")) for v in (each.along, each.up)
                 )
                 separator = ", " if current_language() == "en" else "; "
                 place = f"{along}{separator}{up} {units.unit('m').sign}".replace("-", "−")

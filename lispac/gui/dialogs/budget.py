@@ -3,10 +3,10 @@
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.report.budget_values import Budget
 
 COMPONENTS = (
@@ -53,12 +53,12 @@ class BudgetDialog(StudyDialog):
         self._budget = budget
         self.beam = widgets.Choice(
             "budget_beam",
-            [gettext("Beam {direction}", direction=say(each.beam)) for each in budget.beams],
+            [gettext("Beam {direction}", direction=each.beam) for each in budget.beams],
             gettext("Direction of the beam"),
         )
         self.beam.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.beam)
-        self.said.setText("\n".join(say_all(budget.in_words)))
+        self.said.setText("\n".join(map(message_text, budget.in_words)))
         self.resize(1120, 620)
         self._show()
 
@@ -77,5 +77,5 @@ class BudgetDialog(StudyDialog):
                 ]
             )
             tip = gettext("Uncertainty not given; not included") if each.at_distance is None else ""
-            rows.append(Row((Cell(each.source), *figures), marked=each in sums, tip=tip))
+            rows.append(Row((Cell(str(each.source)), *figures), marked=each in sums, tip=tip))
         self.show_rows(rows)

@@ -208,7 +208,7 @@ class CheckedDialog(StudyDialog):
             gettext("Not compared: {reason}", reason=say(reason)) for reason in found.not_compared
         ]
         self.said.setText("\n".join([*say_all(found.in_words), *not_compared]))
-        absolute_figure(found, say, self.figure())
+        absolute_figure(found, self.figure())
         self.resize(1000, 760)
 
 

@@ -5,15 +5,16 @@ import traceback
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QWidget
 
-from lispac.errors import LispacError
-from lispac.gui.language import say, say_message
+from lispac.errors import LispacError, system_reason
 from lispac.gui.panels import widgets
 from lispac.language import gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
 
 
 def error_text(error: LispacError) -> str:
     """Text of an error in the language of the user."""
-    return say(str(error)) if error.message is None else say_message(error.message)
+    return str(error)
 
 
 def describe(error: BaseException) -> tuple[str, str]:
@@ -24,7 +25,8 @@ def describe(error: BaseException) -> tuple[str, str]:
     if isinstance(error, MemoryError):
         return gettext("Not enough memory. Close other programs or use fewer lines."), ""
     if isinstance(error, OSError) and error.strerror:
-        reason = say(error.strerror)
+        found = system_reason(error)
+        reason = message_text(found) if isinstance(found, Message) else found
         if not error.filename:
             return gettext("A file cannot be used: {reason}.", reason=reason), ""
         return gettext("{file}: {reason}.", file=error.filename, reason=reason), ""

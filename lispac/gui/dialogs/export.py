@@ -25,7 +25,8 @@ from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.installed import expanded
 from lispac.language import N_, gettext
-from lispac.messages import error
+from lispac.message_texts import message_text
+from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import (
@@ -34,9 +35,9 @@ from lispac.workflow.export_request import (
     What,
     system_of,
 )
-from lispac.workflow.exporting import EPOCH_WORDS, trajectory_datum_words
+from lispac.workflow.exporting import trajectory_datum
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.target_systems import DOUBT, LOCAL, own_datum
+from lispac.workflow.target_systems import LOCAL, own_datum
 
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
@@ -234,8 +235,9 @@ class ExportDialog(QDialog):
         good = bool(self.folder.text().strip())
         try:
             meaning = self._meaning()
-            text = " ".join(say_sentences(meaning))
-            role = "error" if any(DOUBT in each for each in meaning) else "muted"
+            text = " ".join(map(_sentence, meaning))
+            serious = any(isinstance(each, Message) and each.is_serious for each in meaning)
+            role = "error" if serious else "muted"
         except LispacError as error:
             text, role, good = error_text(error), "error", False
         self.said.setText(text)
@@ -244,9 +246,9 @@ class ExportDialog(QDialog):
         self.said.style().polish(self.said)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
-    def _meaning(self) -> Sequence[str]:
+    def _meaning(self) -> Sequence[str | Message]:
         if self._what == "trajectory":
-            return [trajectory_datum_words(self._project)]
+            return [trajectory_datum(self._project)]
         local = [gettext("North, West and Up in metres from the origin of the project.")]
         if self._what == "planes":
             return local
@@ -256,7 +258,8 @@ class ExportDialog(QDialog):
         )
         if found is None:
             return local
-        return [*(found.assumptions or (found.name,)), EPOCH_WORDS]
+        assumptions = found.assumptions or (found.name,)
+        return [*found.warnings, *assumptions, note("export.epoch")]
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(
@@ -264,3 +267,7 @@ class ExportDialog(QDialog):
         )
         if chosen:
             self.folder.setText(chosen)
+
+
+def _sentence(text: str | Message) -> str:
+    return message_text(text) if isinstance(text, Message) else say_sentences([text])[0]

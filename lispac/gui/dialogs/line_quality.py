@@ -56,7 +56,7 @@ class LineQualityDialog(StudyDialog):
         # Matplotlib is imported late, so that the window starts without it.
         from lispac.report.line_map import line_map
 
-        line_map(found.pairs, self.figure(), say)
+        line_map(found.pairs, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(gettext("Map of the differences between lines"))
 

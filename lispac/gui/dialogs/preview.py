@@ -7,7 +7,6 @@ from PySide6.QtGui import QImageReader, QKeyEvent, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.language import gettext
 
@@ -88,7 +87,7 @@ class PreviewDialog(QDialog):
 
     def _keep(self) -> None:
         if text := self._save():
-            self.said.setText(say(text))
+            self.said.setText(text)
 
     def _show_place(self) -> None:
         self.place.setText(

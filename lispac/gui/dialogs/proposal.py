@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui import theme, units
-from lispac.gui.language import local_number, say, say_message
+from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
 from lispac.workflow.proposing import Proposal
@@ -148,5 +148,5 @@ def _about_targets(proposal: Proposal) -> str:
 def _angle(radians: float) -> str:
     """An angle in the unit that the user has chosen."""
     sign = units.unit("°").sign
-    value = local_number(units.figure(degrees(radians), "°", ".3f"))
+    value = units.localised(units.figure(degrees(radians), "°", ".3f"))
     return value + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 from lispac.errors import LispacError
 from lispac.gui.dialogs.error import describe, error_box
-from lispac.gui.language import say
 from lispac.gui.logbook import LOG
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
@@ -106,7 +105,7 @@ class Questions:
         box.setInformativeText(
             gettext(
                 "Last recorded: {when}. One undo step removes the restored changes.",
-                when=say(when),
+                when=when,
             )
         )
         restore = box.addButton(gettext("Restore"), QMessageBox.ButtonRole.AcceptRole)
@@ -148,7 +147,7 @@ class Questions:
             parent=self.parent,
         )  # fmt: skip
         box.setObjectName("elsewhere_dialog")
-        place = gettext("Open in: {place}.", place=say(where))
+        place = gettext("Open in: {place}.", place=where)
         effect = gettext(
             "The window that saves last overwrites the other. Unsaved changes of this window "
             "cannot be restored after a crash."

@@ -7,9 +7,9 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
     from lispac.workflow.script import Script
@@ -39,7 +39,7 @@ class ScriptDialog(QDialog):
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
         if script.remarks:
             remarks = widgets.label(wrap=True, name="script_remarks")
-            remarks.setText("\n".join(say_all(script.remarks)))
+            remarks.setText("\n".join(map(message_text, script.remarks)))
             layout.addWidget(remarks)
         self.text = QPlainTextEdit(script.text)
         self.text.setObjectName("script_text")
@@ -72,4 +72,4 @@ class ScriptDialog(QDialog):
 
     def _keep(self) -> None:
         if text := self._save():
-            self.said.setText(say(text))
+            self.said.setText(text)

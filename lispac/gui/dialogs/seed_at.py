@@ -13,6 +13,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project, Triple, require_name
 from lispac.survey.trajectory import LocalTrajectory
@@ -181,7 +182,8 @@ class SeedDialog(QDialog):
             "the trajectory: {distance:m.1} m.",
             north=north, west=west, up=up, distance=distance,
         )  # fmt: skip
-        return " ".join([text, *say_sentences(system.assumptions)])
+        warnings = map(message_text, system.warnings)
+        return " ".join([text, *warnings, *say_sentences(system.assumptions)])
 
 
 def _introduction(wishes: Wishes) -> str:

@@ -19,14 +19,14 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError
 from lispac.gui import units
 from lispac.gui.dialogs.error import error_text
-from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS, source_text
+from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
-from lispac.gui.language import local_number, say
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
 from lispac.io.sensor_file import Figures, PosFigures, PosState, ScannerFigures
 from lispac.language import N_, gettext
-from lispac.workflow.sensors import LONGEST, Sensor, library, remove
+from lispac.message_texts import message_text
+from lispac.workflow.sensors import LONGEST, Sensor, library, origin_of, remove
 
 HEADS = (N_("Sensor"), N_("1 σ"), N_("Source"))
 AnySensor = Sensor[ScannerFigures] | Sensor[PosFigures]
@@ -131,7 +131,7 @@ class SensorLibraryPage(QWidget):
     def _fill(self, name: str = "") -> None:
         found = library(self._folder)
         self._sensors = [*found.scanners, *found.pos]
-        self.said.setText("\n".join(say(remark) for remark in found.remarks))
+        self.said.setText("\n".join(message_text(each) for each in found.remarks))
         self.said.setVisible(bool(found.remarks))
         self.table.setRowCount(len(self._sensors))
         for row, sensor in enumerate(self._sensors):
@@ -215,14 +215,14 @@ def describe(figures: Figures) -> tuple[str, str]:
             direction=_amounts([figures.angle_sigma_deg], "°", ".4f"),
             divergence=figures.divergence_mrad,
         )
-        return text, source_text(figures)
+        return text, origin_of(figures)
     named = [(gettext(SOLUTIONS[each.name]), each) for each in figures.states]
     sigmas = [
         gettext("{solution}: {text}", solution=solution, text=_sigmas(state))
         for solution, state in named
     ]
     sources = [
-        gettext("{solution}: {text}", solution=solution, text=source_text(state))
+        gettext("{solution}: {text}", solution=solution, text=origin_of(state))
         for solution, state in named
     ]
     return "\n".join(sigmas), "\n".join(sources)
@@ -236,5 +236,5 @@ def _sigmas(state: PosState) -> str:
 def _amounts(values: Sequence[float], base: Base, form: str) -> str:
     """Values in the unit that the user has chosen: ``0.010 / 0.010 / 0.020 m``."""
     sign = units.unit(base).sign
-    text = " / ".join(local_number(units.figure(value, base, form)) for value in values)
+    text = " / ".join(units.localised(units.figure(value, base, form)) for value in values)
     return text + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

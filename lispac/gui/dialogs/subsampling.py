@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import units
 from lispac.gui.dialogs.study import StudyDialog, angle_columns
-from lispac.gui.language import local_number
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import gettext
 from lispac.workflow.subsampling import Subsampled
@@ -34,7 +33,7 @@ class SubsamplingDialog(StudyDialog):
         self.said.setText(
             gettext(
                 "Highlighted: point spacing of the project settings, {spacing} {unit}.",
-                spacing=local_number(units.figure(used, "m", ".2f")),
+                spacing=units.localised(units.figure(used, "m", ".2f")),
                 unit=units.unit("m").sign,
             )
         )

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.convention_inputs import (
     CurrentSettings,
@@ -27,6 +26,7 @@ from lispac.gui.panels.gizmo import Gizmo
 from lispac.gui.panels.matrix_field import MatrixField
 from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import Setup, Stated
@@ -41,7 +41,7 @@ from lispac.survey.conventions.systems import (
     Scanner,
     Status,
 )
-from lispac.survey.conventions.words import offsets_words
+from lispac.survey.conventions.words import offsets_note
 from lispac.survey.georeferencing import Mounting
 
 TITLE = N_("Angles in another program")
@@ -211,7 +211,7 @@ class ConventionPanel(QWidget):
                 applied=self.current.applied.isChecked(), has_lever_arm=given.has_lever_arm,
             )  # fmt: skip
         except InputError as error:
-            self._show_refusal(say(str(error)))
+            self._show_refusal(str(error))
             return
         self._show_rules(setup, new.mounting)
         self._show_values(new)
@@ -233,22 +233,26 @@ class ConventionPanel(QWidget):
         x, y, z = setup.axes
         status = f'<b style="color:{colour}">{gettext(_STATUSES[setup.status][0])}</b>'
         self.status.setText(
-            gettext("{status}: {source}.", status=status, source=say(convention.source))
+            gettext("{status}: {source}.", status=status, source=gettext(convention.source))
         )
         rules = [
-            gettext("Body axes in that program: X {x}, Y {y}, Z {z}.", x=say(x), y=say(y), z=say(z))
+            gettext(
+                "Body axes in that program: X {x}, Y {y}, Z {z}.",
+                x=gettext(x),
+                y=gettext(y),
+                z=gettext(z),
+            )
         ]
         if convention.has_angles:
-            factors = convention.formula.replace("-", "−").split(" · ")
-            formula = " · ".join(map(say, factors))
+            formula = str(convention.formula).replace("-", "−")
             rules.insert(0, gettext(_FORMULAS[convention.direction], formula=formula))
         if convention.key != LISPAC.key:
-            rules.append(say(setup.scanner_words(mounting.rotation_body_lidar)))
+            rules.append(str(setup.scanner_axes(mounting.rotation_body_lidar)))
         self.rules.setText(" ".join(rules))
         self.imu.show_z(z)
         title = gettext("Assumed:")
-        self.assumption.setText(f"<b>{title}</b> {say(setup.assumption)}")
-        self.assumption.setVisible(bool(setup.assumption))
+        self.assumption.setText(f"<b>{title}</b> {setup.assumption}")
+        self.assumption.setVisible(setup.assumption is not None)
 
     def _show_values(self, new: Replacement) -> None:
         stated, correction = new.stated, new.correction
@@ -271,7 +275,7 @@ class ConventionPanel(QWidget):
                 if sure
                 else gettext("Angles if the assumption holds, degrees")
             )
-            decimals = 8 if stated.note else 4
+            decimals = 4 if stated.note is None else 8
             title = gettext("To enter") if sure else gettext("If it holds")
             last = (title, stated.angles, "+", True)
             rows: list[tuple[str, np.ndarray, str, bool]] = [last]
@@ -295,13 +299,13 @@ class ConventionPanel(QWidget):
         if new.present is not None and new.present.lever_arm is not None:
             present = _lever_arm_text(setup.axes, new.present.lever_arm)
             texts.append(gettext("Present: {lever_arm}", lever_arm=present))
-            texts.append(say(new.lever_arm_words))
+            texts += map(message_text, filter(None, [new.lever_arm_note]))
         self.lever.setText("<br>".join(texts))
 
     def _show_remarks(self, new: Replacement) -> None:
         stated, correction = new.stated, new.correction
-        signs = say(f"{stated.setup.signs}.")
-        lines = [f"{signs[0].upper()}{signs[1:]}"]
+        signs = str(stated.setup.signs)
+        lines = [f"{signs[:1].upper()}{signs[1:]}."]
         if correction is not None:
             lines.append(
                 gettext("Multiply the correction from the left: new = correction · present.")
@@ -312,8 +316,8 @@ class ConventionPanel(QWidget):
         if new.transform is not None:
             title = gettext("Correction of the 4x4 matrix:")
             lines.append(f"{title}<br>{_code(new.transform)}")
-        if stated.note:
-            lines.append(f"<b>{say(stated.note)}</b>")
+        if stated.note is not None:
+            lines.append(f"<b>{message_text(stated.note)}</b>")
         if stated.sigmas is not None and self.given.caution:
             lines.append(self.given.caution)
         self.remarks.setText("<br>".join(lines))
@@ -322,7 +326,7 @@ class ConventionPanel(QWidget):
         sentences = (
             f"<b>{boresight_said(mounting.plain.boresight)}</b>",
             lever_arm_said(mounting.lever_arm),
-            say(offsets_words(mounting)),
+            *map(message_text, filter(None, [offsets_note(mounting)])),
         )
         self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
         self.gizmo.show_boresight(np.asarray(mounting.plain.boresight, dtype=float))
@@ -334,7 +338,7 @@ class ConventionPanel(QWidget):
         )
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
-        self.matrix.setToolTip(say(SCANNER_WORDS[stated.setup.scanner_frame]))
+        self.matrix.setToolTip(gettext(SCANNER_WORDS[stated.setup.scanner_frame]))
 
 
 def _matrix_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
@@ -363,7 +367,7 @@ def _code(matrix: np.ndarray) -> str:
 def _lever_arm_text(axes: Axes, values: np.ndarray) -> str:
     # Unbreakable, so that a line ends between two axes and never before a number.
     return ", ".join(
-        f"{letter} {say(axis)} <b>{units.localised(f'{value + 0.0:+.4f}')}</b> m".replace(
+        f"{letter} {gettext(axis)} <b>{units.localised(f'{value + 0.0:+.4f}')}</b> m".replace(
             " ", "&nbsp;"
         )
         for letter, axis, value in zip("XYZ", axes, np.round(values, 4), strict=True)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.language import say, say_all
+from lispac.adjustment.shown import capitalised
 from lispac.gui.panels import widgets
 from lispac.gui.panels.matrix_field import MatrixField
 from lispac.language import N_, gettext
@@ -222,16 +222,16 @@ class CurrentSettings(QWidget):
         for label, field, turn in zip(
             self._words, self.fields.fields, convention.turns, strict=False
         ):
-            label.setText(say(turn.name.capitalize()))
+            label.setText(capitalised(gettext(turn.name)))
             field.setToolTip(
                 gettext(
                     "Present {angle} in {program}, {meaning}",
-                    angle=say(turn.name),
+                    angle=gettext(turn.name),
                     program=program_name(convention),
-                    meaning=say(turn.meaning),
+                    meaning=gettext(turn.meaning),
                 )
             )  # fmt: skip
-            field.setAccessibleName(gettext("Present {angle}", angle=say(turn.name)))
+            field.setAccessibleName(gettext("Present {angle}", angle=gettext(turn.name)))
         # Settings of one program do not apply to another.
         self.fields.set_value((0.0, 0.0, 0.0))
 
@@ -252,7 +252,7 @@ class ImuAxes(QWidget):
                 gettext("Direction of the {axis} axis of the IMU on the vessel", axis=letter)
             )
             box.setAccessibleName(gettext("IMU {axis} axis", axis=letter))
-            box.addItems(say_all(DIRECTIONS))
+            box.addItems(list(map(gettext, DIRECTIONS)))
             row.addWidget(widgets.label(gettext("IMU {axis}", axis=letter), "muted"))
             row.addWidget(box)
         self._z = widgets.label("", "muted", name="imu_z")
@@ -268,7 +268,7 @@ class ImuAxes(QWidget):
 
     def show_z(self, direction: str) -> None:
         """Show the direction of the third axis."""
-        self._z.setText(gettext("Z {direction}", direction=say(direction)))
+        self._z.setText(gettext("Z {direction}", direction=gettext(direction)))
 
 
 def _offer(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:

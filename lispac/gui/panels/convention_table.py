@@ -7,8 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
+from lispac.adjustment.shown import capitalised
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_all
 from lispac.language import gettext
 from lispac.survey.conventions.systems import Convention
 
@@ -41,11 +41,11 @@ class AnglesTable(QTableWidget):
     def fill(self, convention: Convention, rows: Sequence[Row], decimals: int) -> None:
         """Show the rows in degrees, with columns named as in the program."""
         self.setRowCount(len(rows))
-        self.setHorizontalHeaderLabels(say_all(name.capitalize() for name in convention.names))
+        self.setHorizontalHeaderLabels([capitalised(gettext(name)) for name in convention.names])
         self.setVerticalHeaderLabels([title for title, *_ in rows])
         for column, turn in enumerate(convention.turns):
             self.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
-            self.horizontalHeaderItem(column).setToolTip(say(turn.meaning.capitalize()))
+            self.horizontalHeaderItem(column).setToolTip(capitalised(gettext(turn.meaning)))
         for row, (_, values, sign, bold) in enumerate(rows):
             for column, value in enumerate(np.round(np.degrees(values), decimals)):
                 item = QTableWidgetItem(units.localised(f"{value + 0.0:{sign}.{decimals}f}"))

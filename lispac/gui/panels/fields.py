@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolButton, QVBoxLayout, 
 
 from lispac.errors import InputError
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
 from lispac.language import gettext
@@ -110,14 +109,14 @@ class Fold(QWidget):
 
     Parameters
     ----------
-    title : English, or in the user's language
+    title : in the user's language
     """
 
     folded = Signal(bool)
 
     def __init__(self, title: str, name: str, body: QWidget) -> None:
         super().__init__()
-        self._title = say(title)
+        self._title = title
         self.head = QToolButton()
         self.head.setObjectName(name)
         self.head.setCheckable(True)

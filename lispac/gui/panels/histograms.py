@@ -205,7 +205,7 @@ class HistogramsPanel(QWidget):
         self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
         canvas = self._canvas()
         if self.plot.currentIndex() == AGAINST:
-            profile_figure(comparison, canvas.figure, say)
+            profile_figure(comparison, canvas.figure)
         else:
             histogram_figure(
                 comparison, canvas.figure, share=self.plot.currentIndex() == SHARES, say=say

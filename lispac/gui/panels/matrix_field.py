@@ -3,8 +3,6 @@
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit
 
-from lispac.gui.language import say
-
 ROWS = 4
 TEXT_PIXELS = 11
 
@@ -15,7 +13,7 @@ class MatrixField(QPlainTextEdit):
     def __init__(self, name: str, accessible_name: str, *, read_only: bool = False) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setAccessibleName(say(accessible_name))
+        self.setAccessibleName(accessible_name)
         self.setReadOnly(read_only)
         self.setTabChangesFocus(True)
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)

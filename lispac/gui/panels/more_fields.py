@@ -5,7 +5,6 @@ from math import degrees, radians
 
 from PySide6.QtWidgets import QFormLayout, QVBoxLayout, QWidget
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import Fold
 from lispac.language import gettext
@@ -72,5 +71,13 @@ class MoreFields(QWidget):
         self.fold.open(choices != USUAL)
 
     def _summarise(self) -> None:
-        parts = self.value.in_words.replace(" deg", "°").split(", ")
-        self.fold.set_summary(", ".join(map(say, parts)))
+        value, parts = self.value, []
+        if value.min_points != USUAL.min_points:
+            parts.append(gettext("at least {count:n} points", count=value.min_points))
+        if value.max_tilt != USUAL.max_tilt:
+            parts.append(gettext("tilt at most {angle:deg.1}°", angle=value.max_tilt))
+        if value.stop != USUAL.stop:
+            parts.append(gettext("stop criterion {value:x}", value=value.stop))
+        if value.seed != USUAL.seed:
+            parts.append(gettext("random seed {number}", number=value.seed))
+        self.fold.set_summary(", ".join(parts))

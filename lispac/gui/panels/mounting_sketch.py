@@ -20,11 +20,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.language import local_number, say_message
 from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
 from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.survey.lever_arm import lever_arm_doubts
 
 View = Literal["above", "starboard"]
@@ -311,13 +311,13 @@ class MountingView(QWidget):
         self.words.setText(text)
         self.sketch.setAccessibleDescription(text)
         doubts = lever_arm_doubts(lever_arm)
-        self.doubts.setText("\n".join(map(say_message, doubts)))
+        self.doubts.setText("\n".join(map(message_text, doubts)))
         self.doubts.setVisible(bool(doubts))
 
 
 def length_words(length: float, form: str) -> str:
     """A length (metres) with the unit shown."""
-    return local_number(units.figure(length, "m", form)) + quantities.unit_suffix("m")
+    return units.localised(units.figure(length, "m", form)) + quantities.unit_suffix("m")
 
 
 def _letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:

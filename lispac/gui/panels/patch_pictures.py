@@ -12,7 +12,6 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPol
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import quantities
 from lispac.gui.viewport.base import Colour
 from lispac.gui.viewport.overlay import length_text, scale_length
@@ -99,7 +98,7 @@ class LinesPicture(Picture):
         low = self.height() - MARGIN - 4
         painter.setPen(QPen(theme.colour("text"), 2.5))
         painter.drawLine(QPointF(MARGIN, low), QPointF(MARGIN + metres * scale, low))
-        painter.drawText(QPointF(MARGIN, low - 6), say(length_text(metres)))
+        painter.drawText(QPointF(MARGIN, low - 6), length_text(metres))
 
 
 class CurvePicture(Picture):

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
-from lispac.gui.language import language, say
+from lispac.gui.language import language
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.language import LANGUAGES, N_, gettext
@@ -121,7 +121,7 @@ class ReportPanel(QWidget):
             try:
                 options = report_options(path)
             except InputError as error:
-                self.template_error.setText(say(str(error)))
+                self.template_error.setText(str(error))
             else:
                 self.page.setCurrentIndex(list(PAGES).index(options.page))
                 self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
@@ -132,7 +132,7 @@ class ReportPanel(QWidget):
 
     def show_status(self, status: StepStatus, data_ready: bool, busy: bool) -> None:
         """Enable what can be exported now."""
-        self.advice.setText(say(status.advice))
+        self.advice.setText(status.advice)
         self.details.setEnabled(data_ready)
         self.preview.allow(status.ready and not busy)
         self.report.allow(status.ready and not busy)

@@ -7,7 +7,7 @@ from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import component_shown, significance_words
 from lispac.gui import theme, units
-from lispac.gui.language import local_number, say
+from lispac.gui.language import say
 from lispac.gui.panels import quantities
 from lispac.gui.panels.adjust_parameters import KINDS, Kind
 from lispac.language import N_, Plural, gettext
@@ -104,7 +104,7 @@ def test_words(result: AdjustmentResult) -> str:
     """The chi-square test with its bounds, as rich text."""
     test = result.chi_square
     statistic, lower, upper = (
-        local_number(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
+        units.localised(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
     )
     if test.passed:
         title, colour, interval = gettext("passed"), theme.DONE, N_("{value} in [{lower}, {upper}]")

@@ -7,7 +7,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext
@@ -133,10 +132,10 @@ class SectionPanel(QWidget):
         self.save_picture.allow(allowed)
         self.copy_picture.allow(allowed)
 
-    def show_nothing(self, reason: str = EMPTY) -> None:
+    def show_nothing(self, reason: str) -> None:
         """Show why there is no section."""
         self.through.setText("")
-        self.words.setText(gettext(EMPTY) if reason == EMPTY else say(reason))
+        self.words.setText(reason)
         self.words.show()
         self._allow_pictures(False)
         if self.canvas is not None:
@@ -149,10 +148,10 @@ class SectionPanel(QWidget):
 
         Parameters
         ----------
-        through : what is cut, in English
+        through : what is cut
         target : whether the section is across a target, or between two points
         """
-        title = say(through)
+        title = through
         self.through.setText(title)
         self.laid.setEnabled(target)
         self.words.hide()

@@ -8,7 +8,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import quantities
 from lispac.gui.panels.ticks import in_units
 from lispac.gui.viewport.base import Array, Colour
@@ -97,7 +96,7 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
 def _bar(axes: Axes, extent: Array) -> None:
     """Draw a scale bar in the lower left corner."""
     metres = scale_length(1.0, 0.3 * float(extent.min()))
-    length = say(length_text(metres))
+    length = length_text(metres)
     left, low = -0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
               solid_capstyle="butt")  # fmt: skip

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import local_number
 from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
@@ -370,7 +369,7 @@ class TargetsPanel(QWidget):
 
 def _limit(value: float, base: Base) -> str:
     """End of a range with its unit."""
-    return f"{local_number(units.limit(value, base))}{quantities.unit_suffix(base)}"
+    return f"{units.localised(units.limit(value, base))}{quantities.unit_suffix(base)}"
 
 
 def _targets_table() -> QTableWidget:

@@ -24,11 +24,10 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import local_number, say, say_all
 from lispac.gui.panels.number_field import BASES, NumberField
 from lispac.gui.tabbing import ENTERS
 from lispac.gui.units import Base
-from lispac.language import N_, gettext, is_translated
+from lispac.language import N_, gettext
 
 
 def label(
@@ -41,7 +40,7 @@ def label(
     rich : bool
         Whether its texts are HTML; names in them have to be escaped.
     """
-    made = QLabel(say(text))
+    made = QLabel(text)
     made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
     made.setProperty("role", role)
     made.setWordWrap(wrap)
@@ -102,9 +101,9 @@ class Button(QPushButton):
 
 def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool = False) -> Button:
     """A push button."""
-    made = Button(say(text))
+    made = Button(text)
     made.setObjectName(name)
-    made.setToolTip(say(tip))
+    made.setToolTip(tip)
     if primary:
         made.setProperty("primary", True)
     if icon:
@@ -147,14 +146,14 @@ def number(
     bases = () if base is None else (base,)
     if ranged:
         tip = _with_range(tip, low, high, suffix.strip(), base)
-    tip = units.signs(say(tip), *bases, figures=ranged)
+    tip = units.signs(tip, *bases, figures=ranged)
     made = NumberField(base)
     made.setObjectName(name)
     made.setAccessibleName(tip or name)
     made.setDecimals(decimals)
     made.setRange(low, high)
     made.setSingleStep(step if base is None else units.step(step, base))
-    made.setSuffix(f" {units.unit(base).sign}" if units.differs(base) else say(suffix))
+    made.setSuffix(f" {units.unit(base).sign}" if units.differs(base) else suffix)
     made.setToolTip(tip)
     made.setAlignment(Qt.AlignmentFlag.AlignRight)
     made.setFont(theme.tabular(made.font()))
@@ -172,9 +171,7 @@ def convert_tip(made: QWidget, *bases: Base) -> None:
 def _with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
     first, last = (f"{v:,.10g}" if base is None else units.limit(v, base) for v in (low, high))
     sign = "deg" if unit == "°" else unit
-    if not is_translated(tip):
-        return f"{tip}, {first} to {last} {sign}".rstrip()
-    first, last = local_number(first), local_number(last)
+    first, last = units.localised(first), units.localised(last)
     if not unit:
         return gettext("{tip}, {low} to {high}", tip=tip, low=first, high=last)
     return gettext("{tip}, {low} to {high} {unit}", tip=tip, low=first, high=last, unit=sign)
@@ -186,8 +183,8 @@ class Choice(QComboBox):
     def __init__(self, name: str, items: Sequence[str], tip: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.addItems(say_all(list(items)))
-        self.setToolTip(say(tip))
+        self.addItems(list(items))
+        self.setToolTip(tip)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # Long items are to be cut off rather than to widen the panel.
         if max(len(item) for item in items) > 12:

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.docks import raise_panel
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import STEPS, State, StepStatus
 from lispac.language import N_, gettext
@@ -86,7 +85,7 @@ class _Header(QPushButton):
         self.setCheckable(True)
         self.setMinimumHeight(_HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        self._title = say(f"{number}  {title}")
+        self._title = f"{number}  {gettext(title)}"
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 3, 12, 3)
         row.setSpacing(10)
@@ -109,7 +108,7 @@ class _Header(QPushButton):
     def show_status(self, status: StepStatus) -> None:
         icon, colour, state = _LOOKS[status.state]
         self._glyph.setPixmap(theme.icon(icon, theme.colour(colour).name()).pixmap(18, 18))
-        sentence = say(status.sentence)
+        sentence = status.sentence
         self.sentence.setText(sentence)
         described = gettext("{step}: {status}", step=self._title, status=sentence)
         self.setAccessibleName(described)

@@ -21,16 +21,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.schemes import LIGHT
 from lispac.gui.viewport.base import Array, Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
+from lispac.language import N_, gettext
 
-EMPTY_TITLE = "Nothing loaded yet"
-EMPTY_HINT = "Open or make a project to see its lines here"
-HELP = "Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed"
+EMPTY_TITLE = N_("Nothing loaded yet")
+EMPTY_HINT = N_("Open or create a project to see its lines here")
+HELP = N_("Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed")
 
-AXES = (("N", "axis_x"), ("W", "axis_y"), ("U", "axis_z"))
+AXES = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Their colours in the scheme."""
 
 MARGIN = 14.0
@@ -55,18 +55,22 @@ def legend_words(shading: Shading) -> tuple[str, str, str]:
     ends = (shading.low, shading.high)
     if shading.metric is not None and not units.differs("m"):
         ends = shading.metric
-    return units.signs(say(shading.title), "mm", "m"), say(ends[0]), say(ends[1])
+    return units.signs(shading.title, "mm", "m"), *ends
 
 
 def length_text(metres: float) -> str:
     """A round length with the unit it is read in."""
     if units.differs("m"):
-        return f"{metres * units.unit('m').factor:.6g} {units.unit('m').sign}"
-    if metres >= 1000.0:
-        return f"{metres / 1000.0:g} km"
-    if metres >= 1.0:
-        return f"{metres:g} m"
-    return f"{metres * 100.0:g} cm" if metres >= 0.01 else f"{metres * 1000.0:g} mm"
+        shown = units.localised(f"{metres * units.unit('m').factor:.6g}")
+        return f"{shown} {units.unit('m').sign}"
+    factor, unit = next(
+        (factor, unit)
+        for least, factor, unit in (
+            (1000.0, 1e-3, "km"), (1.0, 1.0, "m"), (0.01, 1e2, "cm"), (0.0, 1e3, "mm")
+        )
+        if metres >= least
+    )  # fmt: skip
+    return f"{units.localised(f'{metres * factor:g}')} {unit}"
 
 
 class Overlay(QWidget):
@@ -118,11 +122,11 @@ class Overlay(QWidget):
         painter.setFont(_scaled(self.font(), 1.5))
         painter.setPen(QColor(theme.TEXT))
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
-        painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, say(EMPTY_TITLE))
+        painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, gettext(EMPTY_TITLE))
         painter.setFont(_scaled(self.font(), 1.1))
         painter.setPen(QColor(theme.MUTED))
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
-        painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, say(EMPTY_HINT))
+        painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, gettext(EMPTY_HINT))
 
     def _paint_markers(self, painter: QPainter, camera: Camera, size: Size) -> None:
         if not self.markers:
@@ -166,7 +170,7 @@ class Overlay(QWidget):
             painter.setPen(pen)
             painter.drawLine(centre, tip)
             box = QRectF(letter.x() - 10.0, letter.y() - 10.0, 20.0, 20.0)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(name))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, gettext(name))
 
     def _paint_scale(self, painter: QPainter, metres_per_pixel: float) -> None:
         metres = scale_length(metres_per_pixel)
@@ -188,7 +192,7 @@ class Overlay(QWidget):
             ]
         )
         box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, say(length_text(metres)))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
 
     def taken(self) -> list[QRectF]:
         """Where no label of a target may stand."""
@@ -231,7 +235,7 @@ class Overlay(QWidget):
         left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
         if self.hint:
             left, right = 0.0, float(self.width())
-        text = say(self.hint or HELP)
+        text = self.hint or gettext(HELP)
         width = QFontMetricsF(font).horizontalAdvance(text) + 24.0
         if width < right - left or self.hint:
             middle = 0.5 * (left + right)

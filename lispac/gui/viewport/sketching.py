@@ -8,12 +8,12 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.navigation import SNAP, Navigator
 from lispac.gui.viewport.overlay import Overlay, right_neighbour
 from lispac.gui.viewport.picking import pick
+from lispac.language import gettext
 
 REACH = 9.0
 """Pixels about a handle within which it is taken."""
@@ -214,8 +214,7 @@ def _paint_division(painter: QPainter, x: float, size: Size) -> None:
     painter.setBrush(theme.colour("paper", 0.88))
     painter.drawEllipse(QPointF(x, 0.5 * size.height), 7.0, 7.0)
     metrics = QFontMetricsF(painter.font())
-    for words, sign in (("Before", -1), ("After", 1)):
-        words = say(words)
+    for words, sign in ((gettext("Before"), -1), (gettext("After"), 1)):
         width = metrics.horizontalAdvance(words) + 16.0
         box = QRectF(x + (8.0 if sign > 0 else -8.0 - width), 44.0, width, 24.0)
         painter.setPen(Qt.PenStyle.NoPen)
@@ -290,7 +289,7 @@ def _words_box(
     leftwards : on the left rather than on the right
     """
     metrics = QFontMetricsF(painter.font())
-    lines = say(words).split("\n")
+    lines = words.split("\n")
     width = max(metrics.horizontalAdvance(line) for line in lines) + 16.0
     height = metrics.lineSpacing() * len(lines) + 8.0
     most_x, most_y = max(size.width - width - 4.0, 4.0), max(size.height - height - 4.0, 4.0)
@@ -310,4 +309,4 @@ def _paint_words(painter: QPainter, words: str, box: QRectF, colour: QColor) -> 
     painter.drawRoundedRect(box, 4.0, 4.0)
     painter.setPen(QColor(theme.TEXT))
     text = box.adjusted(8.0, 4.0, -8.0, -4.0)
-    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, say(words))
+    painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)

@@ -12,7 +12,6 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.viewport.actors import aim, half_space, place_half
 from lispac.gui.viewport.base import (
     Array,
@@ -35,6 +34,7 @@ from lispac.gui.viewport.navigation import Navigator
 from lispac.gui.viewport.overlay import Stage
 from lispac.gui.viewport.pace import SLICES, Pace
 from lispac.gui.viewport.sketching import Sketching
+from lispac.language import gettext
 
 QUICK_S = 0.03
 """A rendering of all the detail in less than this is shown while the camera moves, too."""
@@ -56,7 +56,7 @@ class VtkViewport:
         self.signals = ViewportSignals(self._stage)
         self.canvas = Canvas(self._stage)
         self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
-        self.canvas.setAccessibleName(say("Lines in 3D"))
+        self.canvas.setAccessibleName(gettext("Lines in 3D"))
         self._stage.put(self.canvas)
         self._overlay = self._stage.overlay
         self._renderer = self.canvas.renderer

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
@@ -13,12 +14,12 @@ Axes = tuple[str, str, str]
 """Where X, Y and Z point."""
 
 _DIRECTIONS: dict[str, tuple[int, int, int]] = {
-    "forward": (1, 0, 0),
-    "aft": (-1, 0, 0),
-    "port": (0, 1, 0),
-    "starboard": (0, -1, 0),
-    "up": (0, 0, 1),
-    "down": (0, 0, -1),
+    N_("forward"): (1, 0, 0),
+    N_("aft"): (-1, 0, 0),
+    N_("port"): (0, 1, 0),
+    N_("starboard"): (0, -1, 0),
+    N_("up"): (0, 0, 1),
+    N_("down"): (0, 0, -1),
 }
 DIRECTIONS = tuple(_DIRECTIONS)
 
@@ -110,6 +111,7 @@ def direction(word: str) -> Message:
     return note(DIRECTION_CODES[word])
 
 
-def in_words(axes: Sequence[str]) -> str:
+def axes_text(axes: Sequence[str]) -> LazyText:
     """``X forward, Y starboard, Z down``."""
-    return ", ".join(f"{letter} {word}" for letter, word in zip("XYZ", axes, strict=True))
+    x, y, z = map(gettext_lazy, axes)
+    return gettext_lazy("X {x}, Y {y}, Z {z}", x=x, y=y, z=z)

@@ -1,18 +1,20 @@
 """A boresight and a lever arm between this program and another, as angles and as matrices."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.messages import error
+from lispac.language import LazyText, gettext_lazy, sentences
+from lispac.messages import Message, error, note
 from lispac.survey.conventions.axes import (
     FORWARD_PORT_UP,
     Axes,
     axes_matrix,
+    axes_text,
     direction,
-    in_words,
     nearest_axes,
 )
 from lispac.survey.conventions.systems import LISPAC, SCANNER_WORDS, Convention, Scanner, Status
@@ -66,11 +68,11 @@ class Setup:
         return self.convention.status if self.as_documented else "unverified"
 
     @property
-    def signs(self) -> str:
-        """The signs of the angles in words, where the body axes are those they are known for."""
+    def signs(self) -> LazyText:
+        """The signs of the angles, where the body axes are those they are known for."""
         if self.axes == self.convention.axes:
             return self.convention.signs
-        return "the signs follow from the axes stated, by the right-hand rule"
+        return gettext_lazy("the signs follow from the given axes, by the right-hand rule")
 
     @property
     def permutation(self) -> Array:
@@ -113,26 +115,28 @@ class Setup:
         return FORWARD_PORT_UP if rotation_body_lidar is None else nearest_axes(rotation_body_lidar)
 
     @property
-    def assumption(self) -> str:
-        """What is assumed about the system, to be shown with every number; may be empty."""
-        text = self.convention.assumption
+    def assumption(self) -> LazyText | None:
+        """What is assumed about the system, to be shown with every number."""
+        found = [gettext_lazy(self.convention.assumption)] if self.convention.assumption else []
         if not self.as_documented:
-            text += " Axes were stated that are not those of its documentation."
+            found.append(gettext_lazy("The given axes are not those of its documentation."))
         if self.convention.open_axes and self.body_axes is None:
-            text += f" Nothing was stated, so they are taken as {in_words(self.axes)}."
-        return text
+            axes = axes_text(self.axes)
+            found.append(gettext_lazy("No axes were given: {axes} is assumed.", axes=axes))
+        return sentences(found) if found else None
 
-    def scanner_words(self, rotation_body_lidar: Array) -> str:
-        """What is taken for the scanner's axes, as a sentence.
+    def scanner_axes(self, rotation_body_lidar: Array) -> LazyText:
+        """What is assumed about the scanner's axes.
 
         Parameters
         ----------
         rotation_body_lidar : ndarray of shape (3, 3)
         """
-        text = SCANNER_WORDS[self.scanner_frame]
+        found = [gettext_lazy(SCANNER_WORDS[self.scanner_frame])]
         if self.scanner_frame == "mounted":
-            text += f" Mounting here: scanner {in_words(self.nominal_axes(rotation_body_lidar))}."
-        return text
+            axes = axes_text(self.nominal_axes(rotation_body_lidar))
+            found.append(gettext_lazy("Mounting here: scanner {axes}.", axes=axes))
+        return sentences(found)
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,7 +154,7 @@ class Stated:
         Scanner to body coordinates of the system, lever arm included; from the raw scanner axes
         where they are kept or mounted, else from the turned ones.
     sigmas : ndarray of shape (3,), radians, of the angles; None where unknown or not to be had
-    note : what the user has to know about the angles, else empty
+    note : what the user has to know about the angles
     """
 
     setup: Setup
@@ -159,7 +163,7 @@ class Stated:
     rotation: Array
     transform: Array
     sigmas: Array | None = None
-    note: str = ""
+    note: Message | None = None
 
 
 def rotation_of(convention: Convention, angles: Array) -> Array:
@@ -176,7 +180,7 @@ def rotation_of(convention: Convention, angles: Array) -> Array:
     return product
 
 
-def angles_from(convention: Convention, rotation: Array) -> tuple[Array, str]:
+def angles_from(convention: Convention, rotation: Array) -> tuple[Array, Message | None]:
     """The angles whose product is ``rotation``, and what there is to know about them.
 
     Parameters
@@ -187,29 +191,26 @@ def angles_from(convention: Convention, rotation: Array) -> tuple[Array, str]:
     -------
     ndarray of shape (3,), radians, in the order the system types them
         The middle factor in [-pi/2, pi/2], the outer ones in (-pi, pi].
-    str
-        A sentence where the middle angle is near 90 deg, else empty.
+    Message or None
+        Where the middle angle is near 90 deg.
     """
     first, middle, last = (convention.turns[k] for k in convention.order)
     i, j, k = first.axis, middle.axis, last.axis
     even = 1.0 if (j - i) % 3 == 1 else -1.0
     cosine = float(np.hypot(rotation[i, i], rotation[i, j]))
-    note = ""
+    names: dict[str, Any] = {
+        "first": first.title, "middle": middle.title, "last": last.title,
+    }  # fmt: skip
+    remark: Message | None = None
     if cosine < LOCKED:
         # Both outer turns are about one axis: only their sum is determined.
         a = np.arctan2(even * rotation[k, j], rotation[j, j])
         pole = 90 if even * middle.sign * rotation[i, k] > 0 else -90
-        note = (
-            f"The {middle.name} is at {pole} deg, where {first.name} and {last.name} turn about "
-            f"the same axis: {last.name} is set to zero and {first.name} holds both."
-        )
+        remark = note("convention.gimbal_lock", angle=np.radians(pole), **names)
     else:
         a = np.arctan2(-even * rotation[j, k], rotation[k, k])
         if cosine < NEARLY_LOCKED:
-            note = (
-                f"The {middle.name} is within 10 deg of 90 deg: {first.name} and {last.name} "
-                "change much for a small turn, so type all digits."
-            )
+            remark = note("convention.near_gimbal_lock", **names)
     # The others from what is left after the first turn: so the product is exact even where the
     # first angle itself is uncertain.
     rest = _about(i, float(a)).T @ rotation
@@ -219,7 +220,7 @@ def angles_from(convention: Convention, rotation: Array) -> tuple[Array, str]:
     for place, turn, value in zip(convention.order, (first, middle, last), (a, b, c), strict=True):
         # A zero without its minus sign reads better in another program's window.
         angles[place] = turn.sign * value + 0.0
-    return angles, note
+    return angles, remark
 
 
 def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> Stated:
@@ -244,15 +245,13 @@ def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> 
     stated = Stated(setup, None, lever_arm, product, transform)
     if not convention.has_angles:
         return stated
-    angles, note = angles_from(convention, product)
+    angles, remark = angles_from(convention, product)
     sigmas = None
     if covariance is not None:
         jacobian = angle_jacobian(setup, np.asarray(mounting.boresight, dtype=float))
         if jacobian is not None:
             sigmas = np.sqrt(np.diag(jacobian @ covariance @ jacobian.T))
-        else:
-            note += " Sigmas have no meaning there."
-    return replace(stated, angles=angles, sigmas=sigmas, note=note)
+    return replace(stated, angles=angles, sigmas=sigmas, note=remark)
 
 
 def mounting_of(setup: Setup, rotation: Array, lever_arm: Array) -> Mounting:

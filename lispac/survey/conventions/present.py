@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message, note
 from lispac.survey.conventions.axes import axes_matrix, nearest_axes
 from lispac.survey.conventions.conversion import Setup, Stated, state
 from lispac.survey.conventions.correction import Correction, correct, on_top_of
@@ -16,18 +17,11 @@ Array = NDArray[np.float64]
 
 LeverArm = Literal["none", "given", "replaced", "taken over", "on top", "turned"]
 """Where the new lever arm comes from."""
-
-LEVER_ARM_WORDS: dict[LeverArm, str] = {
-    "none": "",
-    "given": "",
-    "replaced": "The lever arm given here replaces that of the present matrix.",
-    "taken over": "The lever arm is that of the present matrix, unchanged: none was given here.",
-    "on top": "The lines are taken as turned and moved by the present 4x4 matrix, so its lever arm "
-    "is part of the new one: the one given here stands on top of it. Where they were only turned, "
-    "give the 3x3 alone.",
-    "turned": "The lines are taken as turned and moved by the present 4x4 matrix, so its lever arm "
-    "is the new one, turned by what was found. Where they were only turned, give the 3x3 alone and "
-    "the lever arm of the lines.",
+_LEVER_ARM_CODES: dict[LeverArm, str] = {
+    "replaced": "convention.lever_arm_replaced",
+    "taken over": "convention.lever_arm_kept",
+    "on top": "convention.lever_arm_added",
+    "turned": "convention.lever_arm_turned",
 }
 
 
@@ -79,9 +73,10 @@ class Replacement:
         return self.lever_arm != "none"
 
     @property
-    def lever_arm_words(self) -> str:
-        """Where the new lever arm comes from; empty where there is nothing to say."""
-        return LEVER_ARM_WORDS[self.lever_arm]
+    def lever_arm_note(self) -> Message | None:
+        """Where the new lever arm comes from, if it is not simply the one given."""
+        code = _LEVER_ARM_CODES.get(self.lever_arm)
+        return None if code is None else note(code)
 
 
 def present_of_matrix(setup: Setup, rotation: Array, lever_arm: Array | None) -> Present:

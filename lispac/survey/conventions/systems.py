@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from lispac.errors import InputError
-from lispac.language import N_
-from lispac.messages import error
+from lispac.language import N_, LazyText, gettext_lazy
+from lispac.messages import Message, error, note
 from lispac.survey.conventions.axes import FORWARD_PORT_UP, Axes
 
 Status = Literal["verified", "partly", "unverified"]
@@ -18,24 +18,39 @@ Scanner = Literal["turned", "kept", "mounted"]
 Direction = Literal["lidar_to_body", "body_to_lidar"]
 
 STATUS_WORDS: dict[Status, str] = {
-    "verified": "verified",
-    "partly": "partly verified",
-    "unverified": "NOT VERIFIED",
+    "verified": N_("verified"),
+    "partly": N_("partly verified"),
+    "unverified": N_("NOT VERIFIED"),
 }
 SCANNER_WORDS: dict[Scanner, str] = {
-    "turned": "The scanner's axes are named as the body's: angles of zero mean parallel.",
-    "kept": "The scanner's axes stay those of the raw points.",
-    "mounted": "An axis permutation (mounting) first lays the raw scanner axes on the body's; "
-    "the angles hold the rest.",
+    "turned": N_("The scanner's axes are named as the body's: angles of zero mean parallel."),
+    "kept": N_("The scanner's axes stay those of the raw points."),
+    "mounted": N_(
+        "An axis permutation (mounting) first turns the raw scanner axes to those of the body; the "
+        "angles contain the rest."
+    ),
 }
 DIRECTION_WORDS: dict[Direction, str] = {  # what the matrix does to coordinates
-    "lidar_to_body": "LiDAR to body",
-    "body_to_lidar": "body to LiDAR",
+    "lidar_to_body": N_("LiDAR to body"),
+    "body_to_lidar": N_("body to LiDAR"),
 }
 
-_WINGS_DOWN = "positive starboard side down"
-_BOW_UP = "positive bow up"
-_CLOCKWISE = "positive clockwise seen from above"
+_WINGS_DOWN = N_("positive starboard side down")
+_BOW_UP = N_("positive bow up")
+_CLOCKWISE = N_("positive clockwise seen from above")
+_RIGHT_HANDED = N_("right-handed")
+
+
+ANGLE_CODES = {
+    "roll": "quantity.roll",
+    "pitch": "quantity.pitch",
+    "yaw": "quantity.yaw",
+    "heading": "quantity.heading",
+    "X rotation": "quantity.x_rotation",
+    "Y rotation": "quantity.y_rotation",
+    "Z rotation": "quantity.z_rotation",
+}
+"""Code of the message that names each angle."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +69,19 @@ class Turn:
     axis: int
     sign: int
     meaning: str
+
+    @property
+    def title(self) -> Message:
+        """Its name as part of a message."""
+        return note(ANGLE_CODES[self.name])
+
+    @property
+    def factor(self) -> LazyText:
+        """Its matrix in a formula."""
+        name = gettext_lazy(self.name)
+        if self.sign < 0:
+            return gettext_lazy("R{axis}(-{angle})", axis="xyz"[self.axis], angle=name)
+        return gettext_lazy("R{axis}({angle})", axis="xyz"[self.axis], angle=name)
 
 
 @dataclass(frozen=True)
@@ -96,43 +124,55 @@ class Convention:
         return tuple(turn.name for turn in self.turns)
 
     @property
-    def formula(self) -> str:
+    def formula(self) -> LazyText:
         """The matrix product, such as ``Rz(heading) · Ry(pitch) · Rx(roll)``."""
         if not self.has_angles:
-            return "matrix only"
-        turns = [self.turns[k] for k in self.order]
-        return " · ".join(
-            f"R{'xyz'[turn.axis]}({'-' if turn.sign < 0 else ''}{turn.name})" for turn in turns
-        )
+            return gettext_lazy("matrix only")
+        first, middle, last = (self.turns[k].factor for k in self.order)
+        return gettext_lazy("{first} · {middle} · {last}", first=first, middle=middle, last=last)
 
     @property
-    def signs(self) -> str:
-        """The signs of the angles in words."""
-        return "; ".join(f"{turn.name} {turn.meaning}" for turn in self.turns)
+    def signs(self) -> LazyText:
+        """The signs of the angles."""
+        signs = [
+            gettext_lazy(
+                "{angle} {meaning}",
+                angle=gettext_lazy(turn.name),
+                meaning=gettext_lazy(turn.meaning),
+            )
+            for turn in self.turns
+        ]
+        if not signs:
+            return LazyText("")
+        first, second, third = signs
+        return gettext_lazy("{first}; {second}; {third}", first=first, second=second, third=third)
 
 
-def _down_frame(heading: str = "heading") -> tuple[Turn, Turn, Turn]:
+def _down_frame(heading: str = N_("heading")) -> tuple[Turn, Turn, Turn]:
     # X forward, Y starboard, Z down: all three turns are right-handed.
     return (
-        Turn("roll", 0, 1, _WINGS_DOWN),
-        Turn("pitch", 1, 1, _BOW_UP),
+        Turn(N_("roll"), 0, 1, _WINGS_DOWN),
+        Turn(N_("pitch"), 1, 1, _BOW_UP),
         Turn(heading, 2, 1, _CLOCKWISE),
     )
 
 
-def _up_frame(heading: str = "heading") -> tuple[Turn, Turn, Turn]:
+def _up_frame(heading: str = N_("heading")) -> tuple[Turn, Turn, Turn]:
     # X starboard, Y forward, Z up: a right-handed turn about Z goes to port.
     return (
-        Turn("roll", 1, 1, _WINGS_DOWN),
-        Turn("pitch", 0, 1, _BOW_UP),
+        Turn(N_("roll"), 1, 1, _WINGS_DOWN),
+        Turn(N_("pitch"), 0, 1, _BOW_UP),
         Turn(heading, 2, -1, _CLOCKWISE),
     )
 
 
 def _plain_turns() -> tuple[Turn, Turn, Turn]:
     # Right-handed turns about axes that the user states.
-    x, y, z = (Turn(f"{letter} rotation", k, 1, "right-handed") for k, letter in enumerate("XYZ"))
-    return x, y, z
+    return (
+        Turn(N_("X rotation"), 0, 1, _RIGHT_HANDED),
+        Turn(N_("Y rotation"), 1, 1, _RIGHT_HANDED),
+        Turn(N_("Z rotation"), 2, 1, _RIGHT_HANDED),
+    )
 
 
 FORWARD_STARBOARD_DOWN: Axes = ("forward", "starboard", "down")
@@ -144,13 +184,13 @@ LISPAC = Convention(
     name=N_("This program (iXblue)"),
     axes=FORWARD_PORT_UP,
     turns=(
-        Turn("roll", 0, 1, "positive left side up"),
-        Turn("pitch", 1, 1, "positive bow down"),
-        Turn("yaw", 2, -1, _CLOCKWISE),
+        Turn(N_("roll"), 0, 1, N_("positive left side up")),
+        Turn(N_("pitch"), 1, 1, N_("positive bow down")),
+        Turn(N_("yaw"), 2, -1, _CLOCKWISE),
     ),
     order=HEADING_PITCH_ROLL,
     status="verified",
-    source="proved on real vessel data",
+    source=N_("proved on real vessel data"),
 )
 
 SYSTEMS: tuple[Convention, ...] = (
@@ -162,7 +202,7 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_down_frame(),
         order=HEADING_PITCH_ROLL,
         status="verified",
-        source="POS MV and LVX manuals (Tait-Bryan sequence, mounting angles with examples)",
+        source=N_("POS MV and LVX manuals (Tait-Bryan sequence, mounting angles with examples)"),
     ),
     Convention(
         key="qinsy",
@@ -171,49 +211,60 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_up_frame(),
         order=HEADING_PITCH_ROLL,
         status="partly",
-        source="Qinsy manual, sign conventions",
-        assumption="The signs are those of the manual; the order of the rotations was not found "
-        "and is taken as heading, pitch, roll, and offsets as X starboard, Y forward, Z up.",
+        source=N_("Qinsy manual, sign conventions"),
+        assumption=N_(
+            "The signs are those of the manual; the order of the rotations was not found "
+            "and is taken as heading, pitch, roll, and offsets as X starboard, Y forward, Z up."
+        ),
     ),
     Convention(
         key="kluster",
         name="Kluster",
         axes=FORWARD_STARBOARD_DOWN,
         turns=(
-            Turn("roll", 0, 1, "positive port side up"),
-            Turn("pitch", 1, 1, _BOW_UP),
-            Turn("heading", 2, 1, _CLOCKWISE),
+            Turn(N_("roll"), 0, 1, N_("positive port side up")),
+            Turn(N_("pitch"), 1, 1, _BOW_UP),
+            Turn(N_("heading"), 2, 1, _CLOCKWISE),
         ),
         order=HEADING_PITCH_ROLL,
         status="verified",
-        source="Kluster's code (rotations, orientation)",
+        source=N_("Kluster's code (rotations, orientation)"),
     ),
     Convention(
         key="novatel",
         name="NovAtel Inertial Explorer, SPAN",
         axes=STARBOARD_FORWARD_UP,
         turns=(
-            Turn("X rotation", 0, 1, "right-handed, positive bow up"),
-            Turn("Y rotation", 1, 1, "right-handed, positive starboard side down"),
-            Turn("Z rotation", 2, 1, "right-handed, positive counter-clockwise seen from above"),
+            Turn(N_("X rotation"), 0, 1, N_("right-handed, positive bow up")),
+            Turn(N_("Y rotation"), 1, 1, N_("right-handed, positive starboard side down")),
+            Turn(
+                N_("Z rotation"),
+                2,
+                1,
+                N_("right-handed, positive counter-clockwise seen from above"),
+            ),
         ),
         order=(2, 0, 1),
         status="partly",
-        source="NovAtel application notes on rotations (intrinsic Z, X, Y; right-handed)",
-        assumption="Axes, order and signs are those of the application note, which states them "
-        "for the turn from vehicle to IMU; the scanner is taken in the place of the IMU. SPAN on "
-        "OEM7 states the vehicle rotation (RBV) the other way, from the IMU to the vehicle.",
+        source=N_("NovAtel application notes on rotations (intrinsic Z, X, Y; right-handed)"),
+        assumption=N_(
+            "Axes, order and signs are those of the application note, which states them "
+            "for the turn from vehicle to IMU; the scanner is taken in the place of the IMU. SPAN "
+            "on OEM7 states the vehicle rotation (RBV) the other way, from the IMU to the vehicle."
+        ),
     ),
     Convention(
         key="opals",
         name="OPALS StripAdjust",
         axes=FORWARD_STARBOARD_DOWN,
-        turns=_down_frame("yaw"),
+        turns=_down_frame(N_("yaw")),
         order=HEADING_PITCH_ROLL,
         status="partly",
-        source="StripAdjust documentation (body axes, mounting permutation, degrees)",
-        assumption="The order is taken as yaw, pitch, roll and the signs as right-handed, "
-        "applied after the mounting; neither was checked.",
+        source=N_("StripAdjust documentation (body axes, mounting permutation, degrees)"),
+        assumption=N_(
+            "The order is taken as yaw, pitch, roll and the signs as right-handed, "
+            "applied after the mounting; neither was checked."
+        ),
         scanner="mounted",
     ),
     Convention(
@@ -223,20 +274,22 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=(),
         order=(),
         status="verified",
-        source="PDAL's code (georeference filter, coordinate_system NED)",
+        source=N_("PDAL's code (georeference filter, coordinate_system NED)"),
         scanner="kept",
     ),
     Convention(
         key="stripalign",
         name="StripAlign (NED attitude, *)",
         axes=FORWARD_STARBOARD_DOWN,
-        turns=_down_frame("yaw"),
+        turns=_down_frame(N_("yaw")),
         order=HEADING_PITCH_ROLL,
         status="unverified",
-        source="StripAlign manual, for the columns of the trajectory only",
-        assumption="How boresight angles are stated was not found; they are taken as the NED "
-        "attitude of the trajectory: yaw, pitch, roll about Z down, Y starboard, X forward. The "
-        "ENU default is not offered.",
+        source=N_("StripAlign manual, for the columns of the trajectory only"),
+        assumption=N_(
+            "How boresight angles are stated was not found; they are taken as the NED "
+            "attitude of the trajectory: yaw, pitch, roll about Z down, Y starboard, X forward. "
+            "The ENU default is not offered."
+        ),
     ),
     Convention(
         key="terrascan",
@@ -245,10 +298,12 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_up_frame(),
         order=HEADING_PITCH_ROLL,
         status="partly",
-        source="TerraScan user guide, scanner systems (lever arm axes)",
-        assumption="Only the axes of the lever arm are documented; the angles are taken as "
-        "heading, pitch, roll, with roll positive starboard side down, pitch bow up, heading "
-        "clockwise.",
+        source=N_("TerraScan user guide, scanner systems (lever arm axes)"),
+        assumption=N_(
+            "Only the axes of the lever arm are documented; the angles are taken as "
+            "heading, pitch, roll, with roll positive starboard side down, pitch bow up, heading "
+            "clockwise."
+        ),
     ),
     Convention(
         key="phoenix",
@@ -257,9 +312,11 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_plain_turns(),
         order=(2, 1, 0),
         status="partly",
-        source="Phoenix LiDAR user manual (turns about fixed IMU X, Y, Z in that order)",
-        assumption="Order and signs are those of the manual, but the axes depend on the IMU: "
-        "state where its X, Y and Z point on the vessel.",
+        source=N_("Phoenix LiDAR user manual (turns about fixed IMU X, Y, Z in that order)"),
+        assumption=N_(
+            "Order and signs are those of the manual, but the axes depend on the IMU: "
+            "state where its X, Y and Z point on the vessel."
+        ),
         scanner="kept",
         open_axes=True,
     ),
@@ -270,9 +327,11 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_plain_turns(),
         order=(2, 1, 0),
         status="partly",
-        source="Phoenix LiDAR user manual (vehicle frame X right, Y up, Z rear)",
-        assumption="The axes are those of the manual; the order of the turns is that of "
-        "version 6 and was not found for these versions.",
+        source=N_("Phoenix LiDAR user manual (vehicle frame X right, Y up, Z rear)"),
+        assumption=N_(
+            "The axes are those of the manual; the order of the turns is that of "
+            "version 6 and was not found for these versions."
+        ),
         scanner="kept",
     ),
     Convention(
@@ -280,16 +339,18 @@ SYSTEMS: tuple[Convention, ...] = (
         name="Hypack",
         axes=("starboard", "forward", "down"),
         turns=(
-            Turn("roll", 1, -1, _WINGS_DOWN),
-            Turn("pitch", 0, -1, _BOW_UP),
-            Turn("yaw", 2, -1, _CLOCKWISE),
+            Turn(N_("roll"), 1, -1, _WINGS_DOWN),
+            Turn(N_("pitch"), 0, -1, _BOW_UP),
+            Turn(N_("yaw"), 2, -1, _CLOCKWISE),
         ),
         order=HEADING_PITCH_ROLL,
         status="unverified",
-        source="secondary descriptions of the offsets",
-        assumption="Roll is taken as positive starboard side down, pitch as positive bow up and "
-        "the order as yaw, pitch, roll; none of it was found. The axes X starboard, Y forward, "
-        "Z down are left-handed.",
+        source=N_("secondary descriptions of the offsets"),
+        assumption=N_(
+            "Roll is taken as positive starboard side down, pitch as positive bow up and "
+            "the order as yaw, pitch, roll; none of it was found. The axes X starboard, Y forward, "
+            "Z down are left-handed."
+        ),
     ),
     Convention(
         key="riprocess",
@@ -298,10 +359,12 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=(),
         order=(),
         status="unverified",
-        source="nothing public was found",
-        assumption="RiPROCESS is not offered as angles, because neither its axes nor their "
-        "order were found. The matrix is in this program's frames: scanner to body, X forward, "
-        "Y port, Z up.",
+        source=N_("nothing public was found"),
+        assumption=N_(
+            "RiPROCESS is not offered as angles, because neither its axes nor their "
+            "order were found. The matrix is in this program's frames: scanner to body, X forward, "
+            "Y port, Z up."
+        ),
         scanner="kept",
     ),
 )

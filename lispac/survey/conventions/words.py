@@ -1,57 +1,78 @@
-"""A boresight and a lever arm in a sentence."""
+"""Orientation and position of a scanner as texts."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.rotations import rotation_matrix
-from lispac.survey.conventions.axes import axes_matrix, in_words, nearest_axes
+from lispac.language import N_, LazyText, gettext_lazy
+from lispac.messages import Message, note, warning
+from lispac.survey.conventions.axes import axes_matrix, axes_text, nearest_axes
 from lispac.survey.georeferencing import Mounting, is_steep
 
 Array = NDArray[np.float64]
-Figures = Callable[[float, float, float], Sequence[str]]
+Amounts = Callable[[Sequence[float]], Sequence[LazyText | str]]
+"""Sizes of three angles (radians) or lengths (metres) with their units; empty where one is zero."""
 
-CHECK_FIRST = (
-    "These angles are right if the assumption above is: prove it on one line over a known "
-    "surface before use."
-)
-THESIS_MODE = "The POS errors were taken as uncorrelated: these sigmas are several times too small."
-LARGE_DEG = 10.0
-"""From here on the order of the turns shows, and is said."""
+CHECK_FIRST = note("convention.check_first")
+THESIS_MODE = warning("convention.uncorrelated")
+_DEGREES = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
+_METRES = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
+"""Texts of an amount by its decimals."""
+LARGE = np.radians(10.0)
+"""Angle in radians from which the order of the rotations matters and is named."""
 
 
-def boresight_words(boresight: Array, figures: Figures | None = None) -> str:
-    """Where the scanner looks, as a sentence; by its axes where the pitch is steep.
+def angle_amounts(values: Sequence[float]) -> list[LazyText | str]:
+    """Sizes of angles (radians) in degrees, with as many decimals as they need."""
+    return _amounts(values, float(np.degrees(1.0)), _DEGREES)
+
+
+def length_amounts(values: Sequence[float]) -> list[LazyText | str]:
+    """Sizes of lengths in metres, with as many decimals as they need."""
+    return _amounts(values, 1.0, _METRES)
+
+
+def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> LazyText:
+    """Orientation of the scanner; by its axes where the pitch is steep.
 
     Parameters
     ----------
     boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
-    figures : writes the sizes of three angles in degrees; empty where one is zero
     """
     if is_steep(boresight):
-        return _axes_words(rotation_matrix(*boresight), figures or _amounts)
-    roll, pitch, yaw = np.degrees(boresight)
-    leans, looks, turned = (figures or _amounts)(roll, pitch, yaw)
+        return _axes_pointing(rotation_matrix(*boresight), amounts)
+    roll, pitch, yaw = (float(value) for value in boresight)
+    leans, looks, turned = amounts((roll, pitch, yaw))
     parts = []
     if looks:
-        parts.append(f"looks {looks} deg bow {'down' if pitch > 0 else 'up'}")
+        template = N_("looks {angle} bow down") if pitch > 0 else N_("looks {angle} bow up")
+        parts.append(gettext_lazy(template, angle=looks))
     if turned:
-        parts.append(f"is turned {turned} deg to {'starboard' if yaw > 0 else 'port'}")
+        template = (
+            N_("is turned {angle} to starboard") if yaw > 0 else N_("is turned {angle} to port")
+        )
+        parts.append(gettext_lazy(template, angle=turned))
     if leans:
-        side = "left" if roll > 0 else "right"
-        parts.append(f"leans {leans} deg with its {side} side up")
+        template = (
+            N_("leans {angle} with its left side up")
+            if roll > 0
+            else N_("leans {angle} with its right side up")
+        )
+        parts.append(gettext_lazy(template, angle=leans))
     if not parts:
-        return "The scanner is parallel to the body."
-    sentence = f"The scanner {_listed(parts)}"
-    if len(parts) > 1 and np.abs([roll, pitch, yaw]).max() > LARGE_DEG:
+        return gettext_lazy("The scanner is parallel to the body.")
+    if len(parts) > 1 and max(abs(roll), abs(pitch), abs(yaw)) > LARGE:
         # The body's axes are carried onto the scanner's by yaw, then pitch, then roll.
-        sentence += " (first turned, then pitched, then rolled)"
-    return sentence + "."
+        return gettext_lazy(
+            "The scanner {parts:names} (first turned, then pitched, then rolled).", parts=parts
+        )
+    return gettext_lazy("The scanner {parts:names}.", parts=parts)
 
 
-def _axes_words(rotation: Array, figures: Figures) -> str:
-    """Where the axes of the scanner point, to the nearest direction of the vessel.
+def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
+    """Directions of the axes of the scanner, to the nearest direction of the vessel.
 
     Parameters
     ----------
@@ -60,66 +81,70 @@ def _axes_words(rotation: Array, figures: Figures) -> str:
     """
     axes = nearest_axes(rotation)
     cosines = np.einsum("ij,ij->i", axes_matrix(axes), rotation.T)
-    off = float(np.degrees(np.arccos(np.clip(cosines.min(), -1.0, 1.0))))
-    apart = figures(off, 0.0, 0.0)[0]
-    said = f"The scanner's axes point: {in_words(axes)}"
-    return f"{said}, off by {apart} deg at most." if apart else f"{said}."
+    off = float(np.arccos(np.clip(cosines.min(), -1.0, 1.0)))
+    apart = amounts((off, 0.0, 0.0))[0]
+    if not apart:
+        return gettext_lazy("The scanner's axes point: {axes}.", axes=axes_text(axes))
+    return gettext_lazy(
+        "The scanner's axes point: {axes}, off by {angle} at most.",
+        axes=axes_text(axes), angle=apart,
+    )  # fmt: skip
 
 
-def lever_arm_words(lever_arm: Sequence[float] | Array, figures: Figures | None = None) -> str:
-    """Where the optical centre is, as a sentence.
+def lever_arm_text(
+    lever_arm: Sequence[float] | Array, amounts: Amounts = length_amounts
+) -> LazyText:
+    """Position of the optical centre.
 
     Parameters
     ----------
     lever_arm : three numbers, metres, body (forward, left, up)
-    figures : writes the sizes of three lengths in metres; empty where one is zero
     """
     forward, left, up = (float(value) for value in lever_arm)
-    parts = []
-    for value, amount, (ahead, behind) in zip(
-        (forward, left, up),
-        (figures or _amounts)(forward, left, up),
-        (("forward of", "aft of"), ("to port of", "to starboard of"), ("above", "below")),
-        strict=True,
-    ):
-        if amount:
-            parts.append(f"{amount} m {ahead if value > 0 else behind}")
-    if not parts:
-        return "The scanner's optical centre is at the POS centre."
-    return f"The scanner's optical centre is {_listed(parts)} the POS centre."
-
-
-def offsets_words(mounting: Mounting) -> str:
-    """What else the other program has to apply for the boresight to hold; may be empty."""
-    offsets = (
-        ("range offset", mounting.range_offset, 1.0, "m"),
-        ("scan-angle offset", mounting.scan_angle_offset, float(np.degrees(1.0)), "deg"),
-        ("latency", mounting.latency, 1000.0, "ms"),
-    )
     parts = [
-        f"{name} {value * scale:+.4f} {unit}"
-        for name, value, scale, unit in offsets
-        if round(value * scale, 4)
+        gettext_lazy(ahead if value > 0 else behind, distance=amount)
+        for value, amount, (ahead, behind) in zip(
+            (forward, left, up), amounts((forward, left, up)), _SIDES, strict=True
+        )
+        if amount
     ]
     if not parts:
-        return ""
-    return f"The boresight holds together with {_listed(parts)}: apply that there too."
+        return gettext_lazy("The scanner's optical centre is at the POS centre.")
+    return gettext_lazy(
+        "The scanner's optical centre is {parts:names} the POS centre.", parts=parts
+    )
 
 
-def _amounts(*values: float) -> list[str]:
-    """The sizes with three decimals, four where one is small; empty where it is zero.
+_SIDES = (
+    (N_("{distance} forward of"), N_("{distance} aft of")),
+    (N_("{distance} to port of"), N_("{distance} to starboard of")),
+    (N_("{distance} above"), N_("{distance} below")),
+)
 
-    Zeros at the end go where they are nothing but that in every one of them: beside 1.178 it is
-    0.300, for 0.3 would seem less certain.
-    """
-    texts = [f"{abs(v):.4f}" if abs(v) < 0.1 else f"{abs(v):.3f}" for v in values]
-    decimals = [len(text.rstrip("0").partition(".")[2]) for text in texts]
-    most = min(max(decimals), 3)
+
+def offsets_note(mounting: Mounting) -> Message | None:
+    """What else the other program has to apply for the boresight to hold."""
+    offsets = (
+        ("item.range_offset", mounting.range_offset, 1.0),
+        ("item.scan_angle_offset", mounting.scan_angle_offset, float(np.degrees(1.0))),
+        ("item.latency", mounting.latency, 1000.0),
+    )
+    parts = tuple(
+        note(code, value=float(value)) for code, value, scale in offsets if round(value * scale, 4)
+    )
+    return note("convention.offsets", offsets=parts) if parts else None
+
+
+def decimals(size: float) -> int:
+    """Decimals of a size in degrees or metres: four where it is small."""
+    return 4 if size < 0.1 else 3
+
+
+def _amounts(
+    values: Sequence[float], factor: float, templates: Mapping[int, str]
+) -> list[LazyText | str]:
+    sizes = [(abs(value), abs(value) * factor) for value in values]
     return [
-        "" if not float(text) else f"{float(text):.{max(own, most)}f}"
-        for text, own in zip(texts, decimals, strict=True)
+        gettext_lazy(templates[decimals(size)], value=value) if round(size, decimals(size)) else ""
+        for value, size in sizes
     ]
-
-
-def _listed(parts: Sequence[str]) -> str:
-    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"

@@ -21,7 +21,7 @@ from zlib import crc32
 
 import numpy as np
 
-from lispac.errors import ProjectError
+from lispac.errors import ProjectError, system_reason
 from lispac.foreign_values import json_values
 from lispac.messages import Message, error
 
@@ -469,4 +469,4 @@ def _not_written(folder: str, failure: OSError, size: int | None) -> Message:
         return error("store.file_too_large", folder=folder)
     if failure.errno is None:
         return error("store.not_read_back", folder=folder, reason=str(failure))
-    return error("store.not_writable", folder=folder, reason=failure.strerror or str(failure))
+    return error("store.not_writable", folder=folder, reason=system_reason(failure))

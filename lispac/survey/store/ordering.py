@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import ProjectError
+from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.progress import Progress
+from lispac.progress import Pace, Progress
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.cells import Keys, drawn, sorting
 from lispac.survey.store.columns import ColumnFile, ScatteredColumn
 from lispac.survey.store.layout import Column
 from lispac.survey.store.merging import merged, shared_by_all
-from lispac.survey.store.pace import Pace
 from lispac.survey.store.pieces import Place, Values, fields
 from lispac.survey.store.spool import Spool
 
@@ -47,9 +47,9 @@ def write_columns(
     with ExitStack() as stack:
         writer = _Writer(stack, folder, attributes, points, spool.next_index != points)
         buckets = stack.enter_context(closing(read_ahead(merged(spool))))
-        pace = Pace(f"Ordering {line}", points)
+        pace = Pace(gettext_lazy("Ordering {line}", line=line), points)
         for keys, values in buckets:
-            progress(done / points, pace.words(done))
+            progress(done / points, pace.step(done))
             order = sorting(keys)
             ordered = {field: some.take(order, axis=0) for field, some in values.items()}
             writer.add(keys[order], ordered, done, place)
@@ -58,7 +58,7 @@ def write_columns(
             raise ProjectError(
                 error("store.points_lost", folder=str(folder.parent), read=done, points=points)
             )
-        progress(1.0, f"Ordering {line}: bringing it on the disk")
+        progress(1.0, gettext_lazy("Ordering {line}: writing to the disk", line=line))
         return writer.finish()
 
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.errors import ProjectError
+from lispac.errors import ProjectError, system_reason
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.survey.store.cells import MOST_HALVINGS, Keys, is_in_sample, octaves_near
@@ -403,7 +404,9 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
                 _require_checksum(folder / manifest.folder / column.file, column.checksum)
         now = stamped(folder, manifest)
         if now != manifest:
-            stored.require_sound(lambda done: progress(done, f"Checking {line}, which was copied"))
+            stored.require_sound(
+                lambda done: progress(done, gettext_lazy("Checking {line}", line=line))
+            )
             remember(folder, manifest, now)
     except (ProjectError, FileNotFoundError):
         if not _is_current(folder, manifest):  # imported again between the two looks
@@ -425,7 +428,7 @@ def _require_checksum(path: Path, checksum: int) -> None:
     try:
         sound = checksum_of(path) == checksum
     except OSError as failure:
-        reason = failure.strerror or str(failure)
+        reason = system_reason(failure)
         raise ProjectError(
             error("store.part_not_readable", file=str(path), reason=reason)
         ) from failure

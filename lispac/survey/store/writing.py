@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import LispacError, ProjectError
+from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Pace, Progress, no_progress, part
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.layout import (
     COLUMNS,
@@ -36,7 +37,6 @@ from lispac.survey.store.layout import (
 )
 from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.ordering import write_columns
-from lispac.survey.store.pace import Pace
 from lispac.survey.store.pieces import Piece, Place, blocks_of
 from lispac.survey.store.spool import End, Spool, remove_spool
 from lispac.survey.store.stamps import stamped
@@ -232,10 +232,12 @@ def _fill(
     with closing(read_ahead(gathered)) as ahead:
         for block, piece in ahead:
             if pace is None:
-                pace = Pace(f"Reading {recipe.line}", piece.total, spool.next_index)
+                pace = Pace(
+                    gettext_lazy("Reading {line}", line=recipe.line), piece.total, spool.next_index
+                )
                 expected.points = piece.total
             read = piece.read
-            progress(read / piece.total if piece.total else 0.0, pace.words(read))
+            progress(read / piece.total if piece.total else 0.0, pace.step(read))
             if block is not None:
                 spool.add(block, place)
     if not spool.points:

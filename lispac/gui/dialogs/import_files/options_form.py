@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say_message, say_sentences
+from lispac.gui.language import say, say_message, say_sentences
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.language import gettext
@@ -86,7 +86,7 @@ class OptionsForm(QWidget):
     def _field(self, option: Option) -> QComboBox | QLineEdit:
         name = option.name
         if option.choices:
-            combo = widgets.Choice(f"option_{name}", [""], option.meaning)
+            combo = widgets.Choice(f"option_{name}", [""], say(option.meaning))
             combo.clear()
             for value in option.choices:
                 combo.addItem(words.option_value(name, value), value)

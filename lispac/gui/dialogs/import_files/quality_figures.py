@@ -9,10 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, MultipleLocator
 from numpy.typing import NDArray
 
-from lispac.gui import theme
+from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.envelope import envelope
 from lispac.gui.dialogs.import_files.words import time_axis
-from lispac.gui.language import local_number
 from lispac.gui.panels.ticks import in_units
 from lispac.io.line_times import LineTimes
 from lispac.io.trajectory_facts import motion_of
@@ -150,7 +149,7 @@ def motion(quality: Quality, figure: Figure) -> None:
     step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if reach / s <= 5), 360)
     bottom.yaxis.set_major_locator(MultipleLocator(step))
     bottom.yaxis.set_major_formatter(
-        FuncFormatter(lambda value, _: local_number(f"{value % 360:.3g}"))
+        FuncFormatter(lambda value, _: units.localised(f"{value % 360:.3g}"))
     )
     top.set_ylabel(gettext("Speed\n(m/s)"), fontsize=TEXT)
     top.set_ylim(bottom=0)
@@ -176,7 +175,9 @@ def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
     start, end = float(quality.track.time[0]), float(quality.track.time[-1])
     last = all_axes[-1]
     last.set_xlim(start, end)
-    last.xaxis.set_major_formatter(FuncFormatter(lambda value, _: local_number(f"{value:,.10g}")))
+    last.xaxis.set_major_formatter(
+        FuncFormatter(lambda value, _: units.localised(f"{value:,.10g}"))
+    )
     last.set_xlabel(quality.axis, fontsize=TEXT)
     first, free = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):

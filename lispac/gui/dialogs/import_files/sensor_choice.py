@@ -3,11 +3,10 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.io.sensor_file import PosFigures, PosState, ScannerFigures
 from lispac.language import N_, gettext
-from lispac.workflow.sensors import Library
+from lispac.workflow.sensors import Library, origin_of
 
 OTHER = N_("Other (enter specifications)")
 SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
@@ -99,16 +98,8 @@ def _pos_title(entry: tuple[str, tuple[PosFigures, PosState] | None]) -> str:
     return f"{figures.title}, {gettext(SOLUTIONS[state.name])}"
 
 
-def source_text(figures: ScannerFigures | PosState) -> str:
-    """Source of the values, and whether they are not verified."""
-    source = say(figures.source)
-    if figures.from_memory:
-        return gettext("{source} (not verified: check the data sheet)", source=source)
-    return source
-
-
 def _show(label: QWidget, figures: ScannerFigures | PosState | None) -> None:
-    label.setText("" if figures is None else source_text(figures))
+    label.setText("" if figures is None else origin_of(figures))
     label.setVisible(figures is not None)
     label.setProperty("role", "hint" if figures is not None and figures.from_memory else "muted")
     label.style().polish(label)

@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.dialogs.error import describe
-from lispac.gui.language import say
 from lispac.gui.tasks import TaskRunner
 from lispac.io.files import message_about
 from lispac.language import gettext
@@ -112,7 +111,7 @@ class Work(QObject):
         if task is None:
             return ""
         total = self._done + sum(entry.pending for entry in self.intake.entries)
-        step = say(task.message or task.title)
+        step = str(task.step or task.title)
         if total <= 1:
             return step
         return gettext(

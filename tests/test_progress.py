@@ -1,16 +1,17 @@
-"""What is said while points go by: how many, how fast, and how long still."""
+"""Steps of tasks: how many points, how fast, and the time left."""
 
 import pytest
 
-from lispac.survey.store import pace
-from lispac.survey.store.pace import Pace, millions, spoken
+from lispac import progress
+from lispac.language import duration_text, gettext_lazy, in_language
+from lispac.progress import Pace, count_text
 
 
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """The seconds that the clock shows."""
     now = [100.0]
-    monkeypatch.setattr(pace.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     return now
 
 
@@ -35,9 +36,21 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 def test_the_pace_tells_what_is_known(
     clock: list[float], total: int | None, done_before: int, done: int, seconds: float, words: str
 ) -> None:
-    told = Pace("Reading L1", total, done_before)
+    pace = Pace(gettext_lazy("Reading {line}", line="L1"), total, done_before)
     clock[0] += seconds
-    assert told.words(done) == words
+    assert str(pace.step(done)) == words
+
+
+def test_a_step_is_translated_where_it_is_shown(clock: list[float]) -> None:
+    pace = Pace(gettext_lazy("Reading {line}", line="L1"), 4_000_000)
+    clock[0] += 2.0
+    step = pace.step(1_000_000)
+    with in_language("fr"):
+        assert (
+            step.without_time_left()
+            == "Lecture de L1\u00a0: 1,0 M points sur 4,0 M, 0,50 M points/s"
+        )
+        assert str(step).endswith(", encore 6 s")
 
 
 @pytest.mark.parametrize(
@@ -51,9 +64,9 @@ def test_the_pace_tells_what_is_known(
         (3900.0, "1 h 05 min"),
     ],
 )
-def test_durations_are_spoken(seconds: float, words: str) -> None:
-    assert spoken(seconds) == words
+def test_durations_are_duration_text(seconds: float, words: str) -> None:
+    assert duration_text(seconds) == words
 
 
 def test_millions_begin_at_a_million() -> None:
-    assert (millions(999_999), millions(4_900_000)) == ("999,999", "4.9 M")
+    assert (count_text(999_999), count_text(4_900_000)) == ("999,999", "4.9 M")
