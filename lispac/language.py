@@ -11,7 +11,8 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   radians, ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three
   significant digits where no number of decimals follows, and ``+`` for a sign in any case. The unit
   itself is part of the text.
-- ``names``: names joined by commas and "and"; ``choices``: joined by "or"
+- ``names``: names joined by commas and "and"; ``choices``: joined by "or"; ``sentences``: one
+  after the other
 - no specification: a name, or another message, as it is
 """
 
@@ -226,6 +227,8 @@ class TextFormatter(Formatter):
         if format_spec in ("names", "choices"):
             names = [value] if isinstance(value, str) else value
             return joined([str(each) for each in names], choice=format_spec == "choices")
+        if format_spec == "sentences":
+            return " ".join(map(str, value))
         if format_spec == "n":
             return number(int(value), 0)
         bare = format_spec.removesuffix("+")

@@ -5,6 +5,7 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.message_texts import message_text
 from lispac.workflow.export_request import system_of
 from lispac.workflow.exporting import (
     export_planes,
@@ -67,7 +68,7 @@ def export(arguments: Namespace) -> None:
                     ending=form, names=names, progress=progress,
                 )  # fmt: skip
                 for note in () if system is None else system.assumptions:
-                    print(f"note: {note}", file=sys.stderr)
+                    print(f"note: {message_text(note)}", file=sys.stderr)
     if arguments.json:
         print_json({"files": [str(path) for path in paths]})
         return

@@ -22,7 +22,7 @@ from lispac.io.points import (
     sniffer,
 )
 from lispac.io.records import Records, finding, points_of, require_axes, stored
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.io.registry import NOT, SURE, Choice, Fact, Finding, Format, PointChunk
 from lispac.messages import error
 
 TYPES = {
@@ -102,7 +102,7 @@ def _header(path: Path) -> Records:
         dtype = _dtype(path, name, properties, ORDERS[order])
         if name == "vertex":
             require_axes(path, dtype.names or ())
-            facts = {"format": f"PLY, {order.replace('_', ' ')}"}
+            facts: dict[str, Fact] = {"format": f"PLY, {order}"}
             if comments:
                 facts["comments"] = "; ".join(comments)[:500]
             records = Records(path, dtype, count, start, order == "ascii", facts)

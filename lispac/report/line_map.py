@@ -8,7 +8,6 @@ from matplotlib.figure import Figure
 from lispac.language import gettext
 from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank, dress
 from lispac.report.wording import shortest
-from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"
@@ -17,9 +16,7 @@ OUTER = 95.0
 """Percentile of the differences at the end of the colour scale."""
 
 
-def line_map(
-    pairs: Sequence[LineDifference], figure: Figure | None = None, _say: Say = unchanged
-) -> Figure:
+def line_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> Figure:
     """Places of some pairs of lines, coloured by how far the lines are apart there.
 
     Where several lie above each other, on a wall say, the largest difference is seen.

@@ -75,10 +75,6 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
         validation=tuple(
             replace(plane, measured_to=say(plane.measured_to)) for plane in content.validation
         ),
-        notes=tuple(map(say, content.notes)),
-        qualities=tuple(
-            replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
-        ),
         in_convention=_if_known(content.in_convention, lambda found: _convention(found, say)),
         matrix=_if_known(
             content.matrix,

@@ -324,35 +324,6 @@ def _rank(match: Match) -> tuple[float, bool, int]:
     return -round(match.share, 3), abs(match.shift) > 1e-9, usual
 
 
-def sentence(found: tuple[Match, ...]) -> str:
-    """What `matches` found, in one sentence, with what the times cannot tell."""
-    if not found:
-        return (
-            "No known time base brings the points onto the trajectory; check that both are of "
-            "the same survey, or state the time bases."
-        )
-    best = found[0]
-    share = f"{100 * best.share:.{1 if best.share < 1 else 0}f} % of the points inside it"
-    if abs(best.shift) < 1e-9:
-        told = f"Point times fit the trajectory as they are, with {share}"
-    else:
-        told = (
-            f"Points in {best.points.name} fit the trajectory in {best.trajectory.name} after "
-            f"adding {best.shift:,.3f} s, with {share}"
-        )
-    if best.leap_assumed:
-        told += f" (leap seconds of today, {LEAP_SECONDS_NOW} s, as neither file tells the date)"
-    rivals = rival_matches(found)
-    if rivals:
-        others = " or ".join(
-            f"{match.shift - best.shift:+,.3f} s ({match.points.name})" for match in rivals[:3]
-        )
-        told += f"; by the times alone a further shift of {others} fits as well"
-        if len({match.points.key for match in (best, *rivals)}) > 1:
-            told += ": state the time base of the points (option time_base)"
-    return told + "."
-
-
 def rival_matches(found: tuple[Match, ...]) -> tuple[Match, ...]:
     """Those that fit as well as the first, to half a per cent of the points."""
     return tuple(match for match in found[1:] if match.share >= found[0].share - 0.005)

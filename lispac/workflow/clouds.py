@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.las_export import Cloud, Pattern, cloud_file
 from lispac.io.registry import PointChunk
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
 from lispac.survey.screening import MOST_RANGE, within_range
-from lispac.survey.source import USUAL, Reading
+from lispac.survey.source import USUAL, Reading, printable
 from lispac.survey.store.pace import Pace
 
 Array = NDArray[np.float64]
@@ -46,8 +46,8 @@ class Written:
         it is too steep to be interpolated).
     excluded : int
         Left out because they lie farther from the scanner than it measures, or in it.
-    notes : tuple of str
-        What else there is to know, in words.
+    remarks : tuple of Message
+        What of the source is not kept, and assumptions.
     """
 
     path: Path
@@ -55,23 +55,22 @@ class Written:
     outside: int = 0
     in_gaps: int = 0
     excluded: int = 0
-    notes: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     @property
-    def sentence(self) -> str:
-        """What was left out, in words; empty where nothing was."""
-        parts = []
+    def notes(self) -> tuple[Message, ...]:
+        """Points that are excluded, and the remarks."""
+        found, file = [], printable(self.path.name)
+        total = self.points + self.outside + self.in_gaps
         if self.outside:
-            parts.append(f"{self.outside:,} points outside the trajectory's time")
-        if self.in_gaps:
-            parts.append(
-                f"{self.in_gaps:,} points in gaps of the trajectory or where its pitch is beyond "
-                "80 deg"
+            found.append(
+                note("import.excluded_outside", file=file, count=self.outside, total=total)
             )
-        if not parts:
-            return ""
-        whole = self.points + self.outside + self.in_gaps
-        return f"{self.path.name}: {' and '.join(parts)}, of {whole:,}, are left out"
+        if self.in_gaps:
+            found.append(
+                note("export.excluded_in_gaps", file=file, count=self.in_gaps, total=total)
+            )
+        return (*found, *self.remarks)
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from lispac.message_texts import message_text
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
@@ -89,8 +90,8 @@ def export(
             trajectory_datum=request.trajectory_datum, epoch=request.epoch, ending=form,
             progress=progress,
         )  # fmt: skip
-        notes = [note for done in written for note in (done.sentence, *done.notes) if note]
-        return [done.path for done in written], tuple(dict.fromkeys(notes))
+        texts = dict.fromkeys(message_text(each) for done in written for each in done.notes)
+        return [done.path for done in written], tuple(texts)
     if request.what == "targets":
         system = system_of(
             project, survey.trajectory, request.system, request.height,
@@ -100,7 +101,7 @@ def export(
             project, survey, request.output, request.which, system=system, ending=form,
             progress=progress,
         )  # fmt: skip
-        return paths, () if system is None else system.assumptions
+        return paths, () if system is None else tuple(map(message_text, system.assumptions))
     if request.what == "planes":
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()

@@ -13,7 +13,7 @@ from lispac.io.files import require_file, written_whole
 from lispac.io.las_export import Pattern, pattern_of_las
 from lispac.io.points import CHUNK
 from lispac.io.registry import PointChunk
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
@@ -113,10 +113,12 @@ def georeference_project(
                     compressed=ending == "laz",
                     progress=step,
                 )
-                notes = (*done.notes, *_said(target))
+                remarks = (*done.remarks, *_assumptions(target))
                 if chunks.line.name in gone:
-                    notes += (_said_of_gone(chunks.line.name, gone[chunks.line.name]),)
-                written.append(replace(done, notes=notes))
+                    is_kept = gone[chunks.line.name] is not None
+                    code = "export.file_gone" if is_kept else "export.file_and_header_gone"
+                    remarks += (note(code, line=chunks.line.name),)
+                written.append(replace(done, remarks=remarks))
             progress(1.0, "Lines written")
     except BaseException:
         for folder in made:
@@ -137,19 +139,6 @@ def _kept_pattern(stored: StoredLine, path: Path) -> Pattern | None:
 
 def _pattern_of(chunks: Chunks, kept: Pattern | None) -> Callable[[PointChunk], Pattern]:
     return chunks.pattern if kept is None else lambda first: kept
-
-
-def _said_of_gone(name: str, kept: Pattern | None) -> str:
-    if kept is not None:
-        return (
-            f"{name}: its file is not there; points, attributes and the records of its header are "
-            "those kept at the import"
-        )
-    return (
-        f"{name}: its file is not there; the points have all their attributes, but other records "
-        "of the file's header, and the scaling and descriptions of its extra attributes, are not "
-        "kept"
-    )
 
 
 def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
@@ -185,10 +174,8 @@ def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[Poin
         )
 
 
-def _said(target: CoordinateSystem | None) -> tuple[str, ...]:
-    if target is None:
-        return ("coordinates are metres North, West, Up in the local frame",)
-    return target.assumptions
+def _assumptions(target: CoordinateSystem | None) -> tuple[Message, ...]:
+    return (note("assumed.local_frame"),) if target is None else target.assumptions
 
 
 def require_other_files(project: Project, paths: Sequence[Path]) -> None:

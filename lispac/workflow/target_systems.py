@@ -6,15 +6,13 @@ from dataclasses import replace
 
 from lispac.errors import InputError
 from lispac.io.points import DATUM, EPOCH, system_of
-from lispac.messages import error
+from lispac.messages import Message, error, warning
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.crs_area import meant_elsewhere
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.line_chunks import Chunks
 
-DOUBT = "Mistyped?"
-"""Begins what is said of a coordinate system that is not meant for the place."""
 LOCAL = "local"
 """Asks for the local frame instead of a coordinate system."""
 FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
@@ -115,18 +113,18 @@ def chosen_system(
     return replace(found, assumptions=(*found.assumptions, *_far_away(found, trajectory)))
 
 
-def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[str, ...]:
-    """What is said where a coordinate system is meant for another part of the world."""
-    latitude = math.degrees(trajectory.frame.latitude)
-    longitude = math.degrees(trajectory.frame.longitude)
-    elsewhere = meant_elsewhere(system.crs, latitude, longitude)
+def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[Message, ...]:
+    """The warning that a coordinate system is meant for another part of the world."""
+    latitude, longitude = trajectory.frame.latitude, trajectory.frame.longitude
+    elsewhere = meant_elsewhere(system.crs, math.degrees(latitude), math.degrees(longitude))
     if not elsewhere:
         return ()
     return (
-        f"{DOUBT}: {system.name} is meant for {elsewhere}, and the trajectory is at "
-        f"latitude {latitude:.1f}, longitude {longitude:.1f} deg; {utm_zone(trajectory)} is the "
-        "UTM zone there",
-    )
+        warning(
+            "crs.meant_elsewhere", system=system.name, area=elsewhere, latitude=latitude,
+            longitude=longitude, zone=utm_zone(trajectory),
+        ),
+    )  # fmt: skip
 
 
 def common_system(project: Project) -> CoordinateSystem | None:

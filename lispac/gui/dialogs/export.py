@@ -25,6 +25,7 @@ from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.installed import expanded
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
@@ -36,7 +37,7 @@ from lispac.workflow.export_request import (
 )
 from lispac.workflow.exporting import EPOCH_WORDS, trajectory_datum_words
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.target_systems import DOUBT, LOCAL, own_datum
+from lispac.workflow.target_systems import LOCAL, own_datum
 
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
@@ -233,9 +234,8 @@ class ExportDialog(QDialog):
             field.setEnabled(not local and bool(self._system_text))
         good = bool(self.folder.text().strip())
         try:
-            meaning = self._meaning()
-            text = " ".join(say_sentences(meaning))
-            role = "error" if any(DOUBT in each for each in meaning) else "muted"
+            meaning, is_serious = self._meaning()
+            text, role = " ".join(meaning), "error" if is_serious else "muted"
         except LispacError as error:
             text, role, good = error_text(error), "error", False
         self.said.setText(text)
@@ -244,10 +244,11 @@ class ExportDialog(QDialog):
         self.said.style().polish(self.said)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
-    def _meaning(self) -> Sequence[str]:
+    def _meaning(self) -> tuple[Sequence[str], bool]:
+        """Meaning of the coordinates, and whether there is a warning about it."""
         if self._what == "trajectory":
-            return [trajectory_datum_words(self._project)]
-        local = [gettext("North, West and Up in metres from the origin of the project.")]
+            return say_sentences([trajectory_datum_words(self._project)]), False
+        local = [gettext("North, West and Up in metres from the origin of the project.")], False
         if self._what == "planes":
             return local
         height = self._height
@@ -256,7 +257,8 @@ class ExportDialog(QDialog):
         )
         if found is None:
             return local
-        return [*(found.assumptions or (found.name,)), EPOCH_WORDS]
+        texts = [*map(message_text, found.assumptions), *say_sentences([EPOCH_WORDS])]
+        return texts, any(each.is_serious for each in found.assumptions)
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QPla
 from lispac.errors import InputError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.identity import BLANK, LABELS, NAMES, Identity
 from lispac.language import N_, gettext
@@ -58,7 +57,9 @@ class IdentityDialog(QDialog):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.fields = {name: _field(name, getattr(identity, name)) for name in NAMES}
         for name, field in self.fields.items():
-            form.addRow(say(LABELS[name]), self._with_button(field) if name == "dates" else field)
+            form.addRow(
+                gettext(LABELS[name]), self._with_button(field) if name == "dates" else field
+            )
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="identity_said")
         layout.addWidget(self.said)
@@ -123,7 +124,7 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
     else:
         field = QLineEdit(text)
     field.setObjectName(f"identity_{name}")
-    field.setAccessibleName(say(LABELS[name]))
+    field.setAccessibleName(gettext(LABELS[name]))
     field.setToolTip(gettext(TIPS[name]))
     return field
 

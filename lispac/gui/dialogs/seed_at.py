@@ -8,11 +8,11 @@ from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project, Triple, require_name
 from lispac.survey.trajectory import LocalTrajectory
@@ -181,7 +181,7 @@ class SeedDialog(QDialog):
             "the trajectory: {distance:m.1} m.",
             north=north, west=west, up=up, distance=distance,
         )  # fmt: skip
-        return " ".join([text, *say_sentences(system.assumptions)])
+        return " ".join([text, *map(message_text, system.assumptions)])
 
 
 def _introduction(wishes: Wishes) -> str:
