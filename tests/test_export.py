@@ -15,6 +15,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, recognised
 from lispac.io.plane_file import read_plane_files
 from lispac.io.sbet import read_sbet, write_sbet
+from lispac.message_texts import message_text
 from lispac.project import Project, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import place
@@ -179,7 +180,9 @@ def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) 
     assert notes == ()  # metres from the survey's own origin
     request = ExportRequest("targets", tmp_path / "map", "prior", "las", "EPSG:32619")
     _, notes = export(project, survey, request)
-    assert notes == system_of(project, survey.trajectory, "EPSG:32619").assumptions
+    system = system_of(project, survey.trajectory, "EPSG:32619")
+    assert system is not None
+    assert notes == tuple(map(message_text, system.assumptions))
     assert notes
     paths, notes = export(project, survey, ExportRequest("planes", out, "prior"))
     assert ([path.name for path in paths], notes) == (["T1_prior.txt", "T2_prior.txt"], ())

@@ -17,7 +17,7 @@ from lispac.io.las_crs import stated_system
 from lispac.io.points import system_of
 from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
-from lispac.messages import Level
+from lispac.messages import Level, note
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.mapping import PointMapper
@@ -169,9 +169,10 @@ def test_points_without_a_pose_are_counted_and_left_out(project: Project, tmp_pa
     in_gap = np.count_nonzero((time > holes[0]) & (time < holes[1]))
     assert (done.outside, done.in_gaps) == (60, in_gap)
     assert in_gap > 0
-    assert done.sentence == (
-        f"L1_prior.laz: 60 points outside the trajectory's time and {in_gap} points in gaps of the "
-        f"trajectory or where its pitch is beyond 80 deg, of {SMALL:,}, are left out"
+    file = "L1_prior.laz"
+    assert done.notes[:2] == (
+        note("import.excluded_outside", file=file, count=60, total=SMALL),
+        note("export.excluded_in_gaps", file=file, count=in_gap, total=SMALL),
     )
     left = laspy.read(done.path)
     assert len(left) == done.points == SMALL - 60 - in_gap

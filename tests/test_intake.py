@@ -29,7 +29,7 @@ from tests.intake_files import (
     write_line,
     write_survey,
 )
-from tests.message_codes import codes, texts
+from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
 
@@ -219,9 +219,9 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings,
     )  # fmt: skip
-    notes = texts(survey.notes)
-    assert f"{3000 - len(survey.scans['L2']):,} points in a gap of the trajectory" in notes
-    assert f"{3000 - len(survey.scans['late']):,} points outside the trajectory's time" in notes
+    counts = {each.code: each.params.get("count") for each in survey.notes}
+    assert counts["import.excluded_in_gaps"] == 3000 - len(survey.scans["L2"])
+    assert counts["import.excluded_outside"] == 3000 - len(survey.scans["late"])
 
     (bridge,) = in_gaps.actions
     assert bridge.params["gap"] == pytest.approx(2.0, abs=0.11)
