@@ -231,7 +231,7 @@ def _keys(language: str) -> str:
 
 def _format(format: Format, file: Path, language: str) -> str:
     endings = ", ".join(f"`{each}`" for each in format.endings)
-    text = f"### {gettext(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
+    text = f"### {message_text(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
     told = [message_text(each) for each in assumed(format.key, file)]
     if told:
         text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in told)

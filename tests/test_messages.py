@@ -46,7 +46,7 @@ SAME_IN_ALL = [
     TEXTS[code]
     for code in (
         "project.former_text", "axis.latitude", "axis.longitude", "unit.date", "unit.milliradians",
-        "unit.radians", "unit.minutes",
+        "unit.radians", "unit.minutes", "format.e57", "format.ply", "format.pcd",
     )
 ]  # fmt: skip
 """Texts that are the same in every language."""

@@ -44,7 +44,8 @@ def _audited(path: Path, found: Sequence[Look]) -> list[Look]:
 
 def _print(item: Look) -> None:
     sure = "certainly" if item.sureness >= 1 else "probably" if item.sureness > 0.5 else "perhaps"
-    print(f"\n{sure} {item.format.name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
+    name = message_text(item.format.name)
+    print(f"\n{sure} {name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
     if item.finding is None:
         reason = plain(message_text(item.error)) if item.error else ""
         print(f"  cannot be read: {reason}")
@@ -68,7 +69,7 @@ def _numbers(item: Look) -> dict[str, Any]:
     messages = (*finding.doubts, *finding.messages) if finding else ()
     return {
         "format": item.format.key,
-        "name": item.format.name,
+        "name": message_text(item.format.name),
         "kind": item.format.kind,
         "sureness": item.sureness,
         "error": plain(message_text(item.error)) if item.error else "",

@@ -29,7 +29,6 @@ from lispac.io.points import (
 )
 from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.language import N_
 from lispac.messages import error, note
 from lispac.survey.source import printable
 
@@ -132,4 +131,4 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             yield records
 
 
-CIDCO = Format(N_("CIDCO binary (22 columns)"), "cidco", "points", (), PLACE, sniff, look, read)
+CIDCO = Format(note("format.cidco"), "cidco", "points", (), PLACE, sniff, look, read)

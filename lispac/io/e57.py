@@ -209,4 +209,4 @@ def _text(root: Any, name: str) -> str:
     return str(root[name].value()).strip() if root.isDefined(name) else ""
 
 
-E57 = Format("E57", "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, look, read)
+E57 = Format(note("format.e57"), "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, look, read)

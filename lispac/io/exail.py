@@ -197,7 +197,7 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     path = Path(path)
     layout = exail_layout(path)
     conventions = _conventions(layout, _detected(layout) | dict(choice))
-    header = note("assumed.header_columns", format="Exail text")
+    header = note("assumed.header_columns", format=note("format.exail"))
     return trajectory_of(
         path, exail_rows(path), layout.columns, conventions, (header, *layout.doubts)
     )

@@ -42,7 +42,6 @@ from lispac.io.registry import (
     PointChunk,
 )
 from lispac.io.sight import sight
-from lispac.language import N_
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import local_text
 from lispac.survey.kernels import scaled
@@ -345,5 +344,5 @@ def _text(value: str | bytes) -> str:
 
 
 LAS = Format(
-    N_("LAS or LAZ"), "las", "points", (".las", ".laz"), PLACE, sniff, look, read, read_from
+    note("format.las"), "las", "points", (".las", ".laz"), PLACE, sniff, look, read, read_from
 )

@@ -236,4 +236,13 @@ def _lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
     return o
 
 
-PCD = Format("PCD", "pcd", "points", (".pcd",), (TIME_FIELD, TIME_UNIT, *PLACE), sniff, look, read)
+PCD = Format(
+    note("format.pcd"),
+    "pcd",
+    "points",
+    (".pcd",),
+    (TIME_FIELD, TIME_UNIT, *PLACE),
+    sniff,
+    look,
+    read,
+)

@@ -19,7 +19,6 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.language import N_
 from lispac.messages import note, warning
 from lispac.survey.source import printable
 
@@ -83,6 +82,4 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     yield PointChunk(rows[:, 5:8] * scale, rows[:, 4].copy(), extra, len(rows))
 
 
-PLANES = Format(
-    N_("Plane file (25 columns)"), "planes", "points", (".txt",), PLACE, sniff, look, read
-)
+PLANES = Format(note("format.planes"), "planes", "points", (".txt",), PLACE, sniff, look, read)

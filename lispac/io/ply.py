@@ -23,7 +23,7 @@ from lispac.io.points import (
 )
 from lispac.io.records import Records, finding, points_of, require_axes, stored
 from lispac.io.registry import NOT, SURE, Choice, Fact, Finding, Format, PointChunk
-from lispac.messages import error
+from lispac.messages import error, note
 
 TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),
@@ -164,4 +164,13 @@ def _after_lines(path: Path, start: int, count: int) -> int:
         return file.tell()
 
 
-PLY = Format("PLY", "ply", "points", (".ply",), (TIME_FIELD, TIME_UNIT, *PLACE), sniff, look, read)
+PLY = Format(
+    note("format.ply"),
+    "ply",
+    "points",
+    (".ply",),
+    (TIME_FIELD, TIME_UNIT, *PLACE),
+    sniff,
+    look,
+    read,
+)

@@ -144,7 +144,7 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = pospac_layout(path)
-    header = note("assumed.header_columns", format="POSPac text")
+    header = note("assumed.header_columns", format=note("format.pospac"))
     conventions = _conventions(layout, choice)
     return trajectory_of(
         path, pospac_rows(path), layout.columns, conventions, (header, *layout.doubts)

@@ -110,8 +110,8 @@ class Format:
 
     Attributes
     ----------
-    name : str
-        As in the dialogue, marked for translation: ``Applanix SBET``.
+    name : Message
+        As in the dialogue: Applanix SBET.
     key : str
         As in the project file and at the command line: ``sbet``.
     kind : {"trajectory", "accuracy", "points"}
@@ -131,7 +131,7 @@ class Format:
         knows a way that does not read all before it.
     """
 
-    name: str
+    name: Message
     key: str
     kind: Kind
     endings: tuple[str, ...]

@@ -20,7 +20,6 @@ from lispac.io.points import (
 from lispac.io.registry import NOT, SAME_TIME_BASE, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
 from lispac.io.text_export import LINE_AND_TIME, SCANNER_NAMES
-from lispac.language import N_
 from lispac.messages import error, note, warning
 from lispac.survey.source import printable
 
@@ -114,4 +113,4 @@ def _read(path: Path) -> PointChunk:
     return PointChunk(xyz, values[:, 0].copy(), extra, len(rows))
 
 
-TARGETS = Format(N_("Target (CSV)"), "target", "points", (".csv",), PLACE, sniff, look, read)
+TARGETS = Format(note("format.target"), "target", "points", (".csv",), PLACE, sniff, look, read)

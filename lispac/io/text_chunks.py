@@ -403,6 +403,6 @@ def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
 
 
 TEXT = Format(
-    N_("Text (CSV, also .gz)"), "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
+    note("format.text"), "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
     (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, look, read,
 )  # fmt: skip

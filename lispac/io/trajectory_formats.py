@@ -59,7 +59,7 @@ from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet, end_fit
 from lispac.io.text_table import SEPARATORS
 from lispac.io.trajectory_preview import accuracy_facts, refusal_warning
 from lispac.language import N_
-from lispac.messages import Message, warning
+from lispac.messages import Message, note, warning
 from lispac.survey.source import printable
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -185,7 +185,7 @@ def _read_smrmsg(path: Path, choice: Choice) -> TrajectoryAccuracy:
 
 
 def _format(
-    name: str,
+    name: Message,
     key: str,
     kind: Kind,
     endings: tuple[str, ...],
@@ -209,7 +209,7 @@ def _format(
 
 
 SBET = _format(
-    "Applanix SBET",
+    note("format.sbet"),
     "sbet",
     "trajectory",
     (".out", ".sbet"),
@@ -254,7 +254,7 @@ EXAIL_OPTIONS = (
     GRID_SYSTEM,
 )
 EXAIL = _format(
-    N_("Exail (iXblue) APPS or Delph INS text"),
+    note("format.exail"),
     "exail-text",
     "trajectory",
     (".txt", ".csv"),
@@ -266,7 +266,7 @@ EXAIL = _format(
 
 POSPAC_OPTIONS = (TIME, GRID_SYSTEM)
 POSPAC = _format(
-    N_("Applanix POSPac text"),
+    note("format.pospac"),
     "pospac-text",
     "trajectory",
     (".txt", ".csv"),
@@ -277,7 +277,7 @@ POSPAC = _format(
 )
 
 ASCII = _format(
-    N_("Text with given columns"),
+    note("format.ascii"),
     "ascii-trajectory",
     "trajectory",
     (".txt", ".csv", ".asc", ".pos", ".dat"),
@@ -333,7 +333,7 @@ ASCII = _format(
 )
 
 CIDCO_STATES = _format(
-    N_("CIDCO binary, states of the points"),
+    note("format.cidco_states"),
     "cidco-states",
     "trajectory",
     (),
@@ -343,7 +343,7 @@ CIDCO_STATES = _format(
     read_states,
 )
 CIDCO_ACCURACY = _format(
-    N_("CIDCO binary, standard deviations of the states"),
+    note("format.cidco_sigmas"),
     "cidco-sigmas",
     "accuracy",
     (),
@@ -354,7 +354,7 @@ CIDCO_ACCURACY = _format(
 )
 
 SMRMSG = _format(
-    "Applanix smrmsg",
+    note("format.smrmsg"),
     "smrmsg",
     "accuracy",
     (".out", ".smrmsg"),
@@ -364,7 +364,7 @@ SMRMSG = _format(
     _read_smrmsg,
 )
 EXAIL_ACCURACY = _format(
-    N_("Exail (iXblue) text, standard deviations"),
+    note("format.exail_sigmas"),
     "exail-sigmas",
     "accuracy",
     (".txt", ".csv"),
@@ -374,7 +374,7 @@ EXAIL_ACCURACY = _format(
     read_exail_accuracy,
 )
 POSPAC_ACCURACY = _format(
-    N_("Applanix POSPac text, standard deviations"),
+    note("format.pospac_sigmas"),
     "pospac-sigmas",
     "accuracy",
     (".txt", ".csv"),

@@ -5,6 +5,24 @@ from collections.abc import Mapping
 from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
+    # -- formats -----------------------------------------------------------------------------------
+    "format.sbet": N_("Applanix SBET"),
+    "format.smrmsg": N_("Applanix smrmsg"),
+    "format.exail": N_("Exail (iXblue) APPS or Delph INS text"),
+    "format.pospac": N_("Applanix POSPac text"),
+    "format.ascii": N_("Text with given columns"),
+    "format.cidco_states": N_("CIDCO binary, states of the points"),
+    "format.cidco_sigmas": N_("CIDCO binary, standard deviations of the states"),
+    "format.exail_sigmas": N_("Exail (iXblue) text, standard deviations"),
+    "format.pospac_sigmas": N_("Applanix POSPac text, standard deviations"),
+    "format.las": N_("LAS or LAZ"),
+    "format.e57": N_("E57"),
+    "format.ply": N_("PLY"),
+    "format.pcd": N_("PCD"),
+    "format.text": N_("Text (CSV, also .gz)"),
+    "format.cidco": N_("CIDCO binary (22 columns)"),
+    "format.planes": N_("Plane file (25 columns)"),
+    "format.target": N_("Target (CSV)"),
     # -- facts about a file ------------------------------------------------------------------------
     "fact.none": N_("none"),
     "fact.not_specified": N_("not specified"),

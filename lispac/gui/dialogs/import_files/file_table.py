@@ -19,6 +19,7 @@ from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 
@@ -155,7 +156,7 @@ class FileTable(QTableWidget):
     def _fill_format(self, row: int, entry: Entry) -> None:
         formats = entry.formats if entry.given is None else (entry.format,)
         items: list[tuple[str, object]] = [
-            (gettext(each.name), each.key) for each in formats if each
+            (message_text(each.name), each.key) for each in formats if each
         ]
         chosen = entry.format.key if entry.format is not None and items else None
         items = items or [(words.NO_VALUE, None)]
