@@ -77,26 +77,31 @@ def overlap_with(target: Target, others: Iterable[Target]) -> Overlap | None:
     return max(told, key=lambda each: each.share, default=None)
 
 
-def overlap_words(target: Target, others: Iterable[Target]) -> str:
-    """Said of a target just found that shares points with another one; empty where none does."""
+_OVERLAPS = {
+    (True, "twice"): "overlap.same_surface_twice",
+    (True, "unchecked"): "overlap.same_surface_unchecked",
+    (True, ""): "overlap.same_surface",
+    (False, "twice"): "overlap.points_shared_twice",
+    (False, "unchecked"): "overlap.points_shared_unchecked",
+    (False, ""): "overlap.points_shared",
+}
+"""Code of the warning by whether both are the same surface, and by what that means."""
+
+
+def overlap_warning(target: Target, others: Iterable[Target]) -> Message | None:
+    """The warning that a target just found shares points with another one; None without any."""
     others = tuple(others)
     found = overlap_with(target, others)
     if found is None:
-        return ""
+        return None
     other = next(each for each in others if each.name == found.other)
-    whose = "its points" if found.smaller == target.name else f"the points of {found.other}"
-    same = (
-        f"is the surface of {found.other} already"
-        if found.is_same
-        else f"shares points with {found.other}"
-    )
-    roles = {target.role, other.role}
-    so = {1: "they would count twice", 2: "a validation plane on a target checks nothing"}
-    why = "" if roles == {"validation"} else f": {so[len(roles)]}"
-    return (
-        f"{target.name} {same}: {100 * found.share:.0f} % of {whose} on {found.line} are the same. "
-        f"Keep one of the two{why}."
-    )
+    effect = "twice" if target.role == other.role else "unchecked"
+    if target.role == other.role == "validation":
+        effect = ""
+    return warning(
+        _OVERLAPS[found.is_same, effect], target=target.name, other=found.other,
+        share=found.share, smaller=found.smaller, line=found.line,
+    )  # fmt: skip
 
 
 def doubles(project: Project) -> tuple[Message, ...]:

@@ -11,7 +11,7 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   radians, ``percent`` a ratio, ``mb`` a number of bytes, ``x`` a number without a unit; three
   significant digits where no number of decimals follows, and ``+`` for a sign in any case. The unit
   itself is part of the text.
-- ``names``: names joined by commas and "and"; ``choices``: joined by "or"; ``sentences``: texts one
+- ``names``: names joined by commas and "and"; ``choices``: joined by "or"; ``sentences``: one
   after the other
 - no specification: a name, or another message, as it is
 """

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.io.formats import format_of
+from lispac.messages import Message
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests import point_files
 from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
@@ -51,10 +52,8 @@ def samples(folder: Path) -> dict[str, Path]:
     }
 
 
-def assumed(key: str, file: Path) -> list[str]:
+def assumed(key: str, file: Path) -> tuple[Message, ...]:
     """What the reader of a format says that it assumes of a file."""
     if key == "pospac-sigmas":
-        return []  # the file of the samples has none
-    finding = format_of(key).look(file, {})
-    told = finding.facts.get("assumed", "")
-    return [*finding.assumptions, *([told] if told else [])]
+        return ()  # the file of the samples has none
+    return format_of(key).look(file, {}).assumptions

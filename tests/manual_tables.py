@@ -30,7 +30,7 @@ from lispac.gui.dialogs.about import keys_said
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.language import language as spoken
-from lispac.gui.language import say, speak
+from lispac.gui.language import speak
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import ConventionPanel
 from lispac.gui.panels.data import DataPanel
@@ -45,7 +45,7 @@ from lispac.installed import resource
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
 from lispac.language import LANGUAGES, Template, gettext, in_language, raw_text
-from lispac.message_texts import TOPICS
+from lispac.message_texts import TOPICS, message_text
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.manual_samples import assumed, samples
 from tests.message_calls import calls
@@ -231,8 +231,8 @@ def _keys(language: str) -> str:
 
 def _format(format: Format, file: Path, language: str) -> str:
     endings = ", ".join(f"`{each}`" for each in format.endings)
-    text = f"### {say(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
-    told = [say(each) for each in assumed(format.key, file)]
+    text = f"### {message_text(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
+    told = [message_text(each) for each in assumed(format.key, file)]
     if told:
         text += f"\n{ASSUMED[language]}\n\n" + "".join(f"- {_cell(each)}\n" for each in told)
     own = [option for option in format.options if option not in SHARED]
@@ -246,7 +246,7 @@ def _options(options: list[Option], language: str) -> str:
         choices = ", ".join(f"`{each}`" for each in option.choices if each)
         colon = "\xa0: " if language == "fr" else ": "
         usual = f" ({words[6]}{colon}`{option.default}`)" if option.default else ""
-        rows.append((f"`{option.name}`", f"{choices}{usual}".strip(), say(option.meaning)))
+        rows.append((f"`{option.name}`", f"{choices}{usual}".strip(), gettext(option.meaning)))
     return _table((words[4], words[5], words[2]), rows)
 
 

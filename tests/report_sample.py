@@ -18,6 +18,7 @@ from lispac.adjustment.result import (
     TargetResidual,
 )
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.messages import note
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.report.trajectory_values import TrajectoryOnLine
@@ -248,7 +249,7 @@ def sample_content(
         headings_deg=HEADINGS,
         counts=dict.fromkeys(HEADINGS, 1_234_567),
         track_local=tracks,
-        notes=("the SBET times are taken as GPS seconds of week",),
+        notes=(note("assumed.time_base", base=note("time_base.gps_week")),),
         generated=generated,
         convention=convention,
         trajectory=[

@@ -26,17 +26,12 @@ SENTENCES = (
 )
 """As `lispac.adjustment.observability` makes them; those of the sample are made up."""
 NOTES = (
-    "L1 was imported again: L1: how its file is read and the latency changed since it was imported",
-    "L2 was imported again: /tmp/lines/L2/x.bin: this part of the imported line L2 is missing",
-    "The header gives no unit for Alt; metres are taken.",
-    "column Alt is in feet of 0.3048 m, the feet of the coordinate system",
-    *(f"L3.laz is {format.name}" for format in POINTS),
-    "SBET times and point times share one time base once the shifts are added",
-    "L1.laz: times are shifted by +18.000 s",
-    "smrmsg.out: it covers 416,012.0 to 416,100.0 s, not the whole trajectory (416,000.0 to "
-    "416,200.0 s); beyond, its first and last values are taken",
-    "L2.laz: 12 points outside the trajectory's time and 1,003 points in a gap of the trajectory "
-    "longer than 0.5 s, of 1,234,567, are left out",
+    note("trajectory.metres_assumed", file="a.txt", column="Alt"),
+    note("assumed.column_unit", column="Alt", unit=note("unit.feet")),
+    *(note("assumed.format", file="L3.laz", format=format.name) for format in POINTS),
+    note("assumed.same_time_base_shifted"),
+    note("assumed.time_shift", file="L1.laz", shift=18.0),
+    note("import.excluded_outside", file="L2.laz", count=12, total=1_234_567),
 )
 
 STEEP = Mounting.near(np.array([-0.2, 0.04, 2.4]), np.radians([20.0, 89.3, 58.2]))
@@ -154,8 +149,7 @@ def content_of_sample(project: Project) -> ReportContent:
         )
         checks = project.cross_checks and replace(project.cross_checks, parts=parts)
         project = replace(project, result=replace(result, observability=seen), cross_checks=checks)
-    notes = tuple(n for n in NOTES if project.accuracy is not None or not n.startswith("smrmsg"))
-    return replace(sample_content(project), notes=notes)
+    return replace(sample_content(project), notes=NOTES)
 
 
 def _refused() -> str:

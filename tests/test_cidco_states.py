@@ -10,6 +10,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.formats import format_of, recognised
+from lispac.messages import note
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 from tests import point_files
@@ -69,9 +70,9 @@ def test_it_is_said_what_is_taken_for_granted(files: dict[str, Path]) -> None:
     ]
     found = STATES.look(files["states"], {})
     assert codes(found.doubts) == ["cidco.no_origin"]
-    assert "north, west, up about 0 0 0" in found.assumptions[0]
+    assert found.assumptions[0] == note("assumed.cidco_positions", origin="0 0 0")
     assert STATES.look(files["states"], {"origin": "46.8 -71.2 20"}).doubts == ()
-    assert found.facts["Records"].startswith("983 states")
+    assert found.facts["Records"] == note("fact.states", count=983)
 
 
 def test_what_is_no_trajectory_is_refused(tmp_path: Path) -> None:

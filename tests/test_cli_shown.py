@@ -17,7 +17,7 @@ from lispac.io.plan_file import read_plan
 from lispac.io.plane_file import write_plane_file
 from lispac.io.project_file import write_project
 from lispac.message_texts import message_text
-from lispac.messages import as_message
+from lispac.messages import Message, as_message, note
 from lispac.picks import Target
 from lispac.report.budget_values import BeamErrors, Budget, ErrorSource, PointError
 from lispac.simulation.thesis_site import MARINE
@@ -39,7 +39,7 @@ def told(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
     return out, err
 
 
-def quality(light: str, *reasons: str) -> SightingQuality:
+def quality(light: str, *reasons: Message) -> SightingQuality:
     return SightingQuality(
         500, 0.003, 15.0, 900.0, 0.3, np.ones(2), 0.9, 0.0, False, 0.0, light, reasons  # type: ignore[arg-type]
     )  # fmt: skip
@@ -50,12 +50,13 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
 ) -> None:
     found = {
         ("T1", "L1"): quality("good"),
-        ("T1", "L2"): quality("doubtful", "It has only 48 points."),
-        ("T2", "L1"): quality("poor", "It is bent."),
+        ("T1", "L2"): quality("doubtful", note("quality.few_points", count=48)),
+        ("T2", "L1"): quality("poor", note("quality.sparse", share=0.4)),
     }
     print_doubtful(found)
     assert capsys.readouterr().out.splitlines() == [
-        "", "Sightings that are less than good:", "- T2 on L1: Poor. It is bent.",
+        "", "Sightings that are less than good:",
+        "- T2 on L1: Poor. The points cover only 40 % of its outline.",
         "- T1 on L2: Doubtful. It has only 48 points.",
     ]  # fmt: skip
     print_doubtful({("T1", "L1"): quality("good")})
@@ -81,13 +82,12 @@ def test_planes_that_were_not_compared_are_told_with_the_reason(
     ("asked", "radius", "notes"),
     [
         (None, 1.0, ()),
-        (None, 3.0, ("T1: fewer than two lines have a plane within 2 m of the seed; sought "
-                     "within 3 m",)),
+        (None, 3.0, (note("finder.radius_increased", target="T1", usual=2.0, radius=3.0),)),
         (3.0, 3.0, ()),
     ],
 )  # fmt: skip
 def test_that_a_target_was_sought_farther_off_is_noted(
-    asked: float | None, radius: float, notes: tuple[str, ...]
+    asked: float | None, radius: float, notes: tuple[Message, ...]
 ) -> None:
     assert notes_on(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
 

@@ -25,7 +25,7 @@ from lispac.workflow.exporting import export_targets
 from lispac.workflow.importing import import_lines, line_folder
 from lispac.workflow.picking import find
 from lispac.workflow.projects import create_project, new_project
-from lispac.workflow.seeking import thinned_words
+from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 
@@ -128,16 +128,16 @@ def test_a_thinned_sighting_says_so_and_keeps_saying_it(
 ) -> None:
     project, survey = calibrated
     role, seed = demo_seeds()["T1"]
-    assert thinned_words(find(project, survey, seed, name="T1", role=role)) == ()
+    assert thinned_notes(find(project, survey, seed, name="T1", role=role)) == ()
     monkeypatch.setattr(cloud_module, "MOST", 500)
     monkeypatch.setattr(seeking_module, "SOUGHT", 2000)
     target = find(project, survey, seed, name="T1", role=role)
-    words = thinned_words(target)
+    notes = thinned_notes(target)
     thinned = [s for s in target.sightings if s.one_in > 1]
-    assert words
-    assert len(words) == len(thinned)
-    assert words[0].startswith(f"T1 on {thinned[0].line}: there are more than")
-    assert f"one in {thinned[0].one_in} of them" in words[0]
+    assert notes
+    assert [(each.params["line"], each.params["one_in"]) for each in notes] == [
+        (sighting.line, sighting.one_in) for sighting in thinned
+    ]
     saved = replace(project, folder=tmp_path / "saved").with_target(target)
     write_project(saved)
     again = read_project(saved.folder).target("T1")

@@ -14,8 +14,10 @@ from lispac.geometry.frames import LocalFrame, geodetic_to_ecef
 from lispac.io.las_chunks import LAS
 from lispac.io.las_crs import stated_system
 from lispac.io.points import system_of
+from lispac.messages import note
 from lispac.survey.crs import coordinate_system
 from tests.error_codes import has_code
+from tests.message_codes import codes
 
 
 def test_utm_points_and_their_ecef_twins_agree(
@@ -118,7 +120,8 @@ def test_feet_are_metres_after_all() -> None:
     mixed = coordinate_system("EPSG:2229", height_unit="metre")
     only_horizontal = points / [1200 / 3937, 1200 / 3937, 1]
     np.testing.assert_allclose(mixed.to_ecef(only_horizontal), metres.to_ecef(points), atol=1e-5)
-    assert any("US survey foot" in words for words in feet.assumptions)
+    unit = note("assumed.height_unit_as_horizontal", unit="US survey foot")
+    assert unit in feet.assumptions
 
 
 def geoid(path: Path, undulation: float) -> Path:
@@ -195,7 +198,7 @@ def test_datums_are_shifted_only_when_asked() -> None:
     point = np.array([[500_000.0, 4_500_000.0, 0.0]])
     apart = np.linalg.norm(same.to_ecef(point) - shifted.to_ecef(point))
     assert 1.0 < apart < 2.5  # NAD83 is about 2 m off the ITRF
-    assert any("not shifted" in words for words in same.assumptions)
+    assert "assumed.datum" in codes(same.assumptions)
 
 
 def test_points_off_the_map_are_refused() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from lispac.adjustment.doubts import doubts
 from lispac.cli.estimate import print_result, project_numbers
-from lispac.doubles import doubles, overlap_with, overlap_words, overlaps
+from lispac.doubles import doubles, overlap_warning, overlap_with, overlaps
 from lispac.gui.panels import result_words
 from lispac.gui.status import steps
 from lispac.message_texts import message_text
@@ -51,16 +51,17 @@ def test_the_share_is_that_of_the_smaller_one_on_the_line_where_it_is_largest() 
 def test_from_a_tenth_on_it_is_told(shared: int, told: bool) -> None:
     other = picked("T3", {"L1": range(2000 - shared, 3000 - shared), "L9": range(10)})
     assert bool(overlaps([BOARD, other])) == told
-    words = overlap_words(other, [BOARD])
-    assert bool(words) == told
-    if told:
-        assert words.startswith(f"T3 shares points with T2: {shared / 10:.0f} % of its points on ")
+    found = overlap_warning(other, [BOARD])
+    assert (found is not None) == told
+    if found is not None:
+        assert found.code == "overlap.points_shared_twice"
+        assert found.params["share"] == pytest.approx(shared / 1000)
 
 
 def test_a_sighting_without_points_shares_none() -> None:
     empty = picked("T8", {"L1": range(0)})
     assert overlaps([BOARD, empty]) == ()
-    assert overlap_words(empty, [BOARD]) == ""
+    assert overlap_warning(empty, [BOARD]) is None
 
 
 def test_order_of_the_numbers_does_not_matter() -> None:
@@ -71,18 +72,18 @@ def test_order_of_the_numbers_does_not_matter() -> None:
 
 
 def test_what_is_said_of_a_target_just_found() -> None:
-    assert overlap_words(AGAIN, [BOARD]) == (
-        "T6 is the surface of T2 already: 89 % of its points on L1 are the same. Keep one of the "
-        "two: they would count twice."
-    )
-    assert "% of the points of T6 on L1" in overlap_words(
-        picked("T8", {"L1": range(0, 5000)}), [AGAIN]
-    )
-    assert overlap_words(replace(AGAIN, name="T2"), [BOARD]) == "", "it takes the other's place"
-    assert overlap_words(replace(AGAIN, role="validation"), [BOARD]).endswith(
-        "Keep one of the two: a validation plane on a target checks nothing."
-    )
-    assert overlap_words(AGAIN, []) == ""
+    found = overlap_warning(AGAIN, [BOARD])
+    assert found is not None
+    assert found.code == "overlap.same_surface_twice"
+    assert found.params["share"] == pytest.approx(0.89)
+    larger = overlap_warning(picked("T8", {"L1": range(0, 5000)}), [AGAIN])
+    assert larger is not None
+    assert larger.params["smaller"] == "T6"
+    assert overlap_warning(replace(AGAIN, name="T2"), [BOARD]) is None, "it takes its place"
+    checking = overlap_warning(replace(AGAIN, role="validation"), [BOARD])
+    assert checking is not None
+    assert checking.code == "overlap.same_surface_unchecked"
+    assert overlap_warning(AGAIN, []) is None
 
 
 @pytest.fixture(scope="module")

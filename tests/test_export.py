@@ -180,7 +180,9 @@ def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) 
     assert notes == ()  # metres from the survey's own origin
     request = ExportRequest("targets", tmp_path / "map", "prior", "las", "EPSG:32619")
     _, notes = export(project, survey, request)
-    assert notes == system_of(project, survey.trajectory, "EPSG:32619").assumptions
+    system = system_of(project, survey.trajectory, "EPSG:32619")
+    assert system is not None
+    assert notes == system.assumptions
     assert notes
     paths, notes = export(project, survey, ExportRequest("planes", out, "prior"))
     assert ([path.name for path in paths], notes) == (["T1_prior.txt", "T2_prior.txt"], ())

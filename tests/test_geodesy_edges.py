@@ -17,7 +17,7 @@ from lispac.survey.georeferencing import Mounting
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, require_within_reach
 from lispac.survey.time_base import LEAP_SECONDS_NOW, Match, base_of, from_gps, plausible, to_gps
-from lispac.survey.time_quality import Coverage, left_out, short_of_trajectory
+from lispac.survey.time_quality import Coverage, exclusion_notes, short_of_trajectory
 from lispac.survey.time_stated import Known, following_messages
 from lispac.survey.trajectory import LocalTrajectory
 from tests.error_codes import has_code
@@ -202,37 +202,18 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> Coverage:
 
 
 @pytest.mark.parametrize(
-    ("covered", "said"),
+    ("covered", "lost", "found"),
     [
-        (_covered(0), "The line has no points."),
-        (_covered(8), "The trajectory covers all points."),
-        (
-            _covered(2000, 500, 20),
-            "520 of 2,000 points cannot be used: 500 (25.0 %) lie outside the trajectory, 20 "
-            "(1.0 %) in gaps of it longer than 1 s.",
-        ),
-    ],
-)
-def test_how_a_line_is_covered_is_said(covered: Coverage, said: str) -> None:
-    assert str(covered) == said
-
-
-@pytest.mark.parametrize(
-    ("covered", "lost", "said"),
-    [
-        (
-            _covered(2000, 1500), 1500,
-            "1,500 points outside the trajectory's time, of 2,000, are left out",
-        ),
+        (_covered(2000, 1500), 1500, {"import.excluded_outside": 1500}),
         (
             _covered(2000, 0, 20), 27,
-            "20 points in a gap of the trajectory longer than 1 s and 7 points where the "
-            "trajectory's pitch is beyond 80 deg, of 2,000, are left out",
+            {"import.excluded_in_gaps": 20, "import.excluded_steep": 7},
         ),
     ],
 )  # fmt: skip
-def test_what_is_left_out_is_said(covered: Coverage, lost: int, said: str) -> None:
-    assert left_out(covered, lost) == said
+def test_what_is_excluded_is_said(covered: Coverage, lost: int, found: dict[str, int]) -> None:
+    notes = exclusion_notes(covered, lost, "a")
+    assert {each.code: each.params["count"] for each in notes} == found
 
 
 def test_shares_of_no_points_are_none() -> None:

@@ -7,11 +7,13 @@ import pytest
 
 from lispac.geometry.planes import fit_plane
 from lispac.gui.panels.sightings_table import quality_words
+from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.targets.hidden import Shown, ends_within, shown_of
 from lispac.targets.quality import plane_quality
 from lispac.workflow.qualities import judge, judge_target
 from lispac.workflow.survey import Survey
+from tests.message_codes import codes
 from tests.test_quality import NOISE
 
 
@@ -42,14 +44,16 @@ def test_what_all_lines_show_alike_is_whole():
 def test_half_a_board_is_half_whatever_the_line_lies_beside():
     half, whole = shares(seen(wide=(0.0, 0.6), beside=0.3), seen())
     assert half.share == pytest.approx(0.5, abs=0.01)
-    assert half.words == "It shows 50 % of what the other lines show: 0.60 of 1.20 m wide"
+    assert message_text(half.message) == (
+        "It shows 50 % of what the other lines show: 0.60 of 1.20 m wide."
+    )
     assert whole.share > 0.999
 
 
 def test_a_quarter_is_told_in_both_directions():
     quarter, _ = shares(seen(wide=(0.0, 0.6), high=(-0.5, 0.0)), seen())
     assert quarter.share == pytest.approx(0.25, abs=0.01)
-    assert "0.60 of 1.20 m wide and 0.50 of 1.00 m high" in quarter.words
+    assert codes(quarter.message.params["sides"]) == ["quality.width_of", "quality.height_of"]
 
 
 def test_parts_on_several_lines_make_a_whole():
@@ -67,7 +71,8 @@ def test_one_line_against_several_is_the_odd_one():
     """It grew over the edge; the others do not hide half of what it shows."""
     grown, *others = shares(seen(wide=(-0.6, 1.8)), *(seen(seed=k) for k in range(1, 5)))
     assert grown.alone
-    assert grown.words.startswith("It shows more than any other line: 2.40 m wide, 1.20 m there")
+    assert grown.message.code == "quality.shows_more"
+    assert grown.message.params["sides"][0].code == "quality.width_alone"
     assert all(each.share > 0.98 and not each.alone for each in others)
     assert shares(seen(wide=(-0.6, 1.8)), seen())[1].share == pytest.approx(0.5, abs=0.01)
 
@@ -88,7 +93,7 @@ def test_the_limits(part, light):
     )
     assert quality.light == light
     assert quality.share_shown == pytest.approx(part, abs=0.01)
-    assert ("of what the other lines show" in quality.words) == (light != "good")
+    assert ("quality.shows_less" in codes(quality.reasons)) == (light != "good")
     assert f"{100 * shown.share:.0f} % of what the other lines show" in quality_words(quality)
 
 
@@ -121,7 +126,7 @@ def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
     judged = judge(half, survey, known=whole)
     quality = judged["T1", line].quality
     assert quality.light != "good"
-    assert "of what the other lines show: 0.6" in quality.words
+    assert "quality.shows_less" in codes(quality.reasons)
     # The others rest on it too, and what they rest on has changed.
     assert all(each is not whole[key] for key, each in judged.items() if key[0] == "T1")
     assert all(each is whole[key] for key, each in judged.items() if key[0] != "T1")

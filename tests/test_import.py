@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -24,6 +23,7 @@ from lispac.survey.store.reading import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing import (
     _Source,
+    assumptions_of,
     import_line,
     import_lines,
     line_folder,
@@ -35,6 +35,7 @@ from lispac.workflow.reading import local_trajectory
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
+from tests.message_codes import codes
 from tests.store_lines import stop_at
 
 
@@ -73,7 +74,7 @@ def test_imported_lines_are_those_read_from_the_files(project: Project) -> None:
         stored, scan = item.stored, survey.scans[item.stored.name]
         rows = in_file_order(stored)
         assert stored.fingerprint == scan.fingerprint
-        assert stored.assumptions == scan.assumptions
+        assert assumptions_of(stored) == scan.assumptions
         np.testing.assert_array_equal(stored.time[rows], scan.time)
         np.testing.assert_allclose(stored.points_lidar[rows], scan.points_lidar, atol=8e-6)
         np.testing.assert_array_equal(stored.intensity[rows], scan.intensity)
@@ -282,12 +283,11 @@ def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(
     assert "xyz.npy" in str(raised.value)
     os.rename(own.path.with_suffix(".away"), own.path)
     notes = load_survey(project).notes
-    said = [note for note in notes if note.startswith("again was imported again. ")]
-    assert len(said) == 1
-    assert "xyz.npy" in said[0]
-    assert not said[0].endswith("again.")
+    (repeated,) = [each for each in notes if each.code == "import.repeated"]
+    assert repeated.params["line"] == "again"
+    assert repeated.params["reason"].params["file"].endswith("xyz.npy")
     stored_line(project, own, trajectory).require_sound()
-    assert not any("imported again" in note for note in load_survey(project).notes)
+    assert "import.repeated" not in codes(load_survey(project).notes)
 
 
 def test_points_without_a_pose_are_left_out_and_counted(
@@ -308,15 +308,14 @@ def test_points_without_a_pose_are_left_out_and_counted(
     rows = in_file_order(stored)
     np.testing.assert_array_equal(stored.time[rows], scan.time[inside])
     np.testing.assert_array_equal(stored.indices_in_file(rows), np.flatnonzero(inside))
-    told = " ".join(stored.assumptions)
-    parts = [int(n.replace(",", "")) for n in re.findall(r"([\d,]+) points", told)]
-    assert sum(parts) == stored.manifest.left_out
+    counts = [each.params["count"] for each in assumptions_of(stored) if "count" in each.params]
+    assert sum(counts) == stored.manifest.left_out
 
 
 def test_line_outside_the_trajectory_leaves_nothing(survey: Survey, project, trajectory) -> None:
     early = write_line(project.folder / "early.laz", survey.scans["L1_000"], -7200.0)
     before = sorted(project.folder.rglob("*"))
-    with pytest.raises(InputError, match="lie outside the trajectory"):
+    with pytest.raises(InputError, check=has_code("import.before_trajectory")):
         import_line(replace(project, lines=(early,)), early, trajectory)
     assert sorted(project.folder.rglob("*")) == before
 

@@ -11,7 +11,6 @@ from lispac.io import line_times as times_module
 from lispac.io.formats import format_of
 from lispac.io.line_times import line_times
 from lispac.io.project_file import read_project
-from lispac.message_texts import message_text
 from lispac.messages import Action, Level, Message, note
 from lispac.project import LineSource, Settings
 from lispac.survey.trajectory import LONGEST_GAP
@@ -30,7 +29,7 @@ from tests.intake_files import (
     write_line,
     write_survey,
 )
-from tests.message_codes import texts
+from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
 
@@ -65,8 +64,8 @@ def test_files_of_a_folder_are_sorted_by_what_they_are(whole: Intake) -> None:
 def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: Intake) -> None:
     finding = named(whole, "pos.sbet").finding
     assert finding is not None
-    assert any("pitch is positive" in text for text in finding.assumptions)
-    assert not set(finding.assumptions) & {message_text(each) for each in finding.doubts}
+    assert "assumed.pitch_bow_up" in codes(finding.assumptions)
+    assert not set(codes(finding.assumptions)) & set(codes(finding.doubts))
 
 
 def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None:
@@ -220,9 +219,9 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings,
     )  # fmt: skip
-    notes = texts(survey.notes)
-    assert f"{3000 - len(survey.scans['L2']):,} points in a gap of the trajectory" in notes
-    assert f"{3000 - len(survey.scans['late']):,} points outside the trajectory's time" in notes
+    counts = {each.code: each.params.get("count") for each in survey.notes}
+    assert counts["import.excluded_in_gaps"] == 3000 - len(survey.scans["L2"])
+    assert counts["import.excluded_outside"] == 3000 - len(survey.scans["late"])
 
     (bridge,) = in_gaps.actions
     assert bridge.params["gap"] == pytest.approx(2.0, abs=0.11)

@@ -14,6 +14,7 @@ from lispac.io.las import read_scan
 from lispac.io.point_formats import POINTS
 from lispac.io.points import system_of
 from lispac.io.registry import Finding, Format, PointChunk
+from lispac.message_texts import fact_text
 from tests import point_files as files
 from tests.error_codes import has_code
 from tests.message_codes import codes
@@ -83,11 +84,12 @@ def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[Format,
     format_, path = valid
     found = format_.look(path, {})
     assert isinstance(found, Finding)
-    assert {"frame", "unit", "time base", "assumed", "format"} <= set(found.facts)
+    assert {"frame", "unit", "time base", "format"} <= set(found.facts)
+    assert found.assumptions
     assert len(found.rows) == 11
     assert len({len(row) for row in found.rows}) == 1
     format_.settled(found.choice)
-    assert all(isinstance(value, str) for value in found.facts.values())
+    assert all(fact_text(fact) for fact in found.facts.values())
 
 
 def test_no_format_takes_the_others_files(shared_data: Path) -> None:
@@ -130,8 +132,8 @@ def test_points_with_waveforms_are_read_without_them(
         las.scanner_channel = np.arange(files.COUNT) % 4
     las.write(tmp_path / f"a.{ending}")
     found = FORMATS["las"].look(tmp_path / f"a.{ending}", {})
-    assert "waveforms are not read" in found.assumptions[0]
-    assert ("several scanner channels" in found.assumptions[0]) == (
+    assert "assumed.waveforms" in codes(found.assumptions)
+    assert ("assumed.waveforms_mixed_up" in codes(found.assumptions)) == (
         ending == "laz" and point_format > 5
     )
     read = whole(FORMATS["las"], tmp_path / f"a.{ending}")

@@ -10,7 +10,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io import e57, pcd
 from lispac.io.point_formats import POINTS
-from lispac.messages import error, warning
+from lispac.messages import error, note, warning
 from tests import point_files as files
 from tests.message_codes import codes
 
@@ -129,7 +129,7 @@ def test_a_time_of_two_values_a_point_is_refused(tmp_path: Path) -> None:
 def test_a_viewpoint_is_told_and_not_applied(tmp_path: Path) -> None:
     path = written(tmp_path, "pcd", "0 0 0 1 0 0 0", "5 6 7 1 0 0 0")
     assert FORMATS["pcd"].look(path, {}).facts["viewpoint"] == (
-        "5 6 7 1 0 0 0 (stated, not applied)"
+        note("fact.viewpoint", values="5 6 7 1 0 0 0")
     )
     (chunk,) = FORMATS["pcd"].read(path, {})
     np.testing.assert_array_equal(chunk.xyz[0], [1, 2, 3])
@@ -234,7 +234,7 @@ def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
     """Such a scan is passed over, by the look at the file too."""
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=30)
     found = FORMATS["e57"].look(path, {})
-    assert found.facts["points"] == "60 in 2 scans"
+    assert found.facts["points"] == note("fact.points_in_scans", points=60, scans=2)
     (chunk,) = FORMATS["e57"].read(path, {})
     np.testing.assert_allclose(chunk.xyz, files.XYZ[30::2], atol=1e-9)
     path = files.e57(tmp_path / "b.e57", invalid=True, none_valid_of=60)

@@ -13,6 +13,7 @@ from lispac.targets.quality import plane_quality
 from lispac.targets.smear import PRIOR_OFF, smear_taken_off
 from lispac.workflow.qualities import judge, qualities
 from lispac.workflow.survey import Survey
+from tests.message_codes import codes
 from tests.test_quality import NOISE, board, fit_plane
 
 
@@ -65,7 +66,7 @@ def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Sur
     few = with_fewer(replace(project, result=None), target.name, line, 2)
     quality = qualities(few, survey)[target.name, line]
     assert quality.light == "poor"
-    assert "at least three points" in quality.words
+    assert codes(quality.reasons) == ["target.plane_few_points"]
 
 
 def smeared(bend: float = 0.0) -> tuple[np.ndarray, np.ndarray]:

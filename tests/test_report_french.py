@@ -225,9 +225,11 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
     assert document.cautions == ()
-    once = document_of(replace(content, notes=("nobody translated this",)), {}, FRENCH)
+    once = document_of(replace(content, methods_in_words=("nobody translated this",)), {}, FRENCH)
     assert once.cautions[-1].startswith("1 texte de ce rapport est resté en anglais")
-    twice = document_of(replace(content, notes=("one thing", "another thing")), {}, FRENCH)
+    twice = document_of(
+        replace(content, methods_in_words=("one thing", "another thing")), {}, FRENCH
+    )
     assert twice.cautions[-1].startswith("2 textes de ce rapport sont restés en anglais")
     assert document_of(content, {}) == drawn_document(undrawn_document(content, {}))
 

@@ -13,7 +13,7 @@ from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import AdjustmentResult, Component
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.message_texts import message_text
-from lispac.messages import Level
+from lispac.messages import Level, note
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.blocks import Bullets, Document, Paragraph, Table
@@ -370,16 +370,17 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
 
 
 def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
+    few = (note("quality.few_points", count=7), note("quality.curved", sagitta=0.004))
     first, second = project.targets[:2]
     good = replace(judged(board()), light="good", reasons=())
     oblique = [
         replace(
             good, light="doubtful", incidence=np.radians(deg),
-            reasons=(f"The beams meet it at {deg} deg from its normal.",),
+            reasons=(note("quality.oblique", angle=np.radians(deg)),),
         )
         for deg in (73, 75)
     ]  # fmt: skip
-    rough = replace(good, light="poor", reasons=("It has only 7 points.", "It is curved."))
+    rough = replace(good, light="poor", reasons=few)
 
     def content(*sightings: tuple[str, str, SightingQuality]) -> ReportContent:
         return report_content(
@@ -399,7 +400,10 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     worse = content(*some, (second.name, one, rough))
     said = _caution(worse, "report.sightings")
     assert "Sightings used: 4, of which poor: 1, doubtful: 2." in said
-    assert f"{second.name} on {one}: It has only 7 points. It is curved. See" in said
+    assert (
+        f"{second.name} on {one}: It has only 7 points. It is curved: 4.0 mm over its extent. See"
+        in said
+    )
     french = document_of(worse, {}, ReportOptions(language="fr")).cautions
     assert any("Observations utilisées\u00a0: 4" in t and "que 7 points" in t for t in french)
     # One that is left out is none of the answer's.

@@ -8,7 +8,8 @@ from lispac.io.formats import format_of, recognised
 from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Finding
 from lispac.io.sbet_detection import blocks_of, detect_sbet
 from lispac.io.sbet_motion import in_frame
-from lispac.messages import error, warning
+from lispac.message_texts import message_text
+from lispac.messages import error, note, warning
 from tests.message_codes import codes
 from tests.trajectory_files import truth, vessel, write_records
 
@@ -31,8 +32,8 @@ def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
     assert finding.choice["axes"] == "wander-nwu"
     assert finding.choice["heading"] == "minus-wander"
     assert finding.choice["time"] == "gps-week"
-    assert finding.facts["Records"] == "200"
-    assert "1.02" in finding.facts["Wander angle"]
+    assert finding.facts["Records"] == 200
+    assert "1.02" in message_text(finding.facts["Wander angle"])
     assert finding.rows[0][0] == "time"
     assert len(finding.rows) == 6
 
@@ -96,7 +97,7 @@ def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -
     assert finding.choice["heading"] == "as-is"
     trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
     np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9])
-    assert "true heading is the platform heading as it is" in "; ".join(trajectory.assumptions)
+    assert "assumed.heading_as_is" in codes(trajectory.assumptions)
 
 
 def test_frame_without_wander_angle_needs_no_choice(tmp_path: Path) -> None:
@@ -163,7 +164,7 @@ def test_signs_are_not_judged_by_noise(tmp_path: Path) -> None:
     records[:, 14:17] = np.random.default_rng(1).normal(0, 0.01, (len(records), 3))
     finding = looked(write_records(tmp_path / "a.sbet", records))
     assert (finding.choice["roll"], finding.choice["pitch"]) == ("starboard-down", "bow-up")
-    assert finding.facts["Roll and pitch"] == "signs not checked"
+    assert finding.facts["Roll and pitch"] == note("fact.signs_not_checked")
 
 
 @pytest.mark.parametrize("wander", [0.0, 0.05])
@@ -174,7 +175,7 @@ def test_exchanged_positions_are_found(tmp_path: Path, wander: float) -> None:
     assert finding.choice["order"] == "longitude-latitude"
     trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
     np.testing.assert_array_equal(trajectory.latitude, records[:, 2])
-    assert any("longitude before latitude" in words for words in trajectory.assumptions)
+    assert "assumed.longitude_first" in codes(trajectory.assumptions)
 
 
 def test_exchanged_positions_show_in_the_heading_without_velocities(tmp_path: Path) -> None:
@@ -265,7 +266,7 @@ def test_time_base_is_stated(tmp_path: Path, shift: float) -> None:
     path = write_records(tmp_path / "a.sbet", records)
     finding = looked(path)
     trajectory = SBET.read(path, finding.choice)
-    assert any(words.startswith("times are ") for words in trajectory.assumptions)
+    assert "assumed.time_base" in codes(trajectory.assumptions)
     assert has(finding, "times.several_bases") == (shift != 0.0)
 
 
@@ -274,8 +275,8 @@ def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
     records[:, 0] = 486_000 + np.arange(len(records)) / 50.0
     records.tofile(tmp_path / "a.sbet")
     detection = detect_sbet(tmp_path / "a.sbet")
-    assert detection.facts["Records"] == "80,000"
-    assert detection.facts["End"] == f"{records[-1, 0]:.3f} s"
+    assert detection.facts["Records"] == 80_000
+    assert detection.facts["End"].params["time"] == pytest.approx(records[-1, 0])
     assert detection.options.axes == "nwu"
 
 
@@ -298,7 +299,7 @@ def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", records)
     trajectory = SBET.read(path, {})
     np.testing.assert_allclose(np.diff(trajectory.time), 0.02, atol=1e-9)
-    assert any("start again" in words for words in trajectory.assumptions)
+    assert note("assumed.time_rollover", count=1) in trajectory.assumptions
     assert not has(looked(path), "times.decreasing")
 
 
@@ -307,8 +308,8 @@ def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Pat
     records[7, 0] = np.nan
     finding = looked(write_records(tmp_path / "a.sbet", records))
     assert warning("sbet.not_finite", file="a.sbet", count=1) in finding.doubts
-    assert finding.facts["Start"] == "486000.000 s"
-    assert finding.facts["End"] == f"{486_000 + 199 / 50:.3f} s"
+    assert finding.facts["Start"] == note("fact.time", time=486_000.0)
+    assert finding.facts["End"].params["time"] == pytest.approx(486_000 + 199 / 50)
 
 
 def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:

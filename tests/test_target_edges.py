@@ -5,6 +5,7 @@ import pytest
 
 from lispac.errors import InputError, SphereNotFound, TargetNotFound
 from lispac.geometry.spheres import fit_sphere
+from lispac.messages import note
 from lispac.natural.clutter import is_water
 from lispac.natural.planes import LinePlanes
 from lispac.natural.regions import Regions
@@ -29,7 +30,7 @@ def test_an_inclination_that_is_not_known_is_not_compared() -> None:
     upright, size = np.array([0.0, 1.0, 0.0]), np.array([1.2, 1.0])
     assert deviations(ExpectedTarget(1.2, 1.0), size, upright) == ()
     assert deviations(ExpectedTarget(1.2, 1.0, np.radians(45.0)), size, upright) == (
-        "It is inclined by 90.0 deg, 45.0 deg more than the 45.0 deg expected.",
+        note("quality.steeper", tilt=np.pi / 2, off=np.pi / 4, expected=np.pi / 4),
     )
 
 

@@ -10,14 +10,14 @@ from lispac.errors import InputError
 from lispac.messages import Level, Message, note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import WEEK, Match, base_of
-from lispac.survey.time_stated import Known, contradiction, nowhere, offer
-from lispac.workflow.importing import import_lines
+from lispac.survey.time_stated import Known, contradiction, nowhere, shift_note
+from lispac.workflow.importing import assumptions_of, import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error
 from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
-from tests.message_codes import texts
+from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
 UTC_WEEK = (("time_base", "utc-week"),)
@@ -62,10 +62,8 @@ def test_a_line_stated_in_utc_comes_into_gps_time_though_it_lies_inside(track, t
     assert (follows.params["file"], follows.params["shift"]) == ("utc.las", 18.0)
     assert follows.params["base"] == note("time_base.given", base=note("time_base.utc_week"))
     assert messages_of(survey, "import.leap_seconds_assumed")[0].params["leap"] == 18
-    notes = texts(survey.notes)
-    plain = [each for each in survey.notes if isinstance(each, str)]
-    assert not any(each.endswith("share one time base") for each in plain)
-    assert "utc.las: times are shifted by +18.000 s" in notes
+    assert "assumed.same_time_base" not in codes(survey.notes)
+    assert note("assumed.time_shift", file="utc.las", shift=18.0) in survey.notes
     again = load_survey(open_project(project.folder))
     assert again.scans["L"].time.min() == pytest.approx(START + 30)
     later = write_points(tmp_path / "later.las", -18, 65, 75)
@@ -179,12 +177,12 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
 def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
     week, utc = base_of("gps-week"), base_of("utc-week")
     found = (Match(((utc, week),), 18.0, 0.75),)
-    assert offer((), 0.0) == offer(found, 0.71) == ""
-    assert offer(found, 0.5) == (
-        "with +18.000 s added, 75.0 % of its points lie inside: where the scanner wrote UTC "
-        "seconds of the week and the trajectory is in GPS seconds of the week, import it again "
-        "with --time-shift 18"
-    )
+    assert shift_note((), 0.0, "a") is None
+    assert shift_note(found, 0.71, "a") is None
+    assert shift_note(found, 0.5, "a") == note(
+        "import.shift_possible", file="a", shift=18.0, share=0.75,
+        points=note("time_base.utc_week"), trajectory=note("time_base.gps_week"),
+    )  # fmt: skip
 
 
 def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
@@ -200,15 +198,13 @@ def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
 def test_a_shift_that_brings_in_clearly_more_is_offered(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)  # 51.9 % before the trajectory
     project, survey = made(tmp_path / "p", track, line)
-    told = texts(survey.notes)
-    assert "with +18.000 s added, 100.0 % of its points lie inside" in told
-    assert "--time-shift 18" in told
-    stored = import_lines(project)[0].stored
-    assert "--time-shift 18" in " ".join(stored.assumptions)
+    (possible,) = [each for each in survey.notes if each.code == "import.shift_possible"]
+    assert (possible.params["shift"], possible.params["share"]) == (18.0, 1.0)
+    assert possible in assumptions_of(import_lines(project)[0].stored)
     end = write_points(tmp_path / "end.las", 0, 70, 101)  # little more to be had
     _, survey = made(tmp_path / "q", track, end)
-    assert "are left out" in texts(survey.notes)
-    assert "--time-shift" not in texts(survey.notes)
+    assert "import.excluded_outside" in codes(survey.notes)
+    assert "import.shift_possible" not in codes(survey.notes)
 
 
 # -- in the import dialogue ----------------------------------------------------------------------

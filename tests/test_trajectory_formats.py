@@ -10,7 +10,8 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of, forma
 from lispac.io.registry import LIKELY, SURE
 from lispac.io.sbet import write_smrmsg
 from lispac.io.text_table import clock, day, degrees_minutes_seconds
-from lispac.messages import warning
+from lispac.message_texts import message_text
+from lispac.messages import note, warning
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from tests.message_codes import codes
 from tests.trajectory_files import (
@@ -70,8 +71,8 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
     assert (format.key, sureness) == ("smrmsg", SURE)
     assert recognised(tmp_path / "smrmsg.out", "trajectory") == []
     finding = format.look(tmp_path / "smrmsg.out", {})
-    assert finding.facts["Records"] == "100"
-    assert finding.facts["Sigma roll"] == "0.0115 to 0.0115 deg"
+    assert finding.facts["Records"] == 100
+    assert finding.facts["Sigma roll"] == note("fact.angles", low=2e-4, high=2e-4)
     assert finding.doubts == ()
     np.testing.assert_allclose(format.read(tmp_path / "smrmsg.out", {}).attitude, 2e-4)
 
@@ -99,10 +100,11 @@ def test_delph_export(tmp_path: Path) -> None:
     agrees(trajectory, records)
     start = calendar.timegm((2023, 6, 27, 14, 0, 0))
     np.testing.assert_allclose(trajectory.time, start + np.arange(500) / 50, atol=1e-4)
-    words = "; ".join(trajectory.assumptions)
-    assert "UTC seconds since 1970" in words
-    assert "pitch is positive bow down" in words
-    assert "column latitude is in degrees" in words
+    degrees = note("assumed.column_unit", column="latitude", unit=note("unit.degrees"))
+    unix = note("assumed.time_base", base=note("time_base.unix"))
+    assert {"assumed.pitch_bow_down"} <= set(codes(trajectory.assumptions))
+    assert degrees in trajectory.assumptions
+    assert unix in trajectory.assumptions
 
 
 def test_delph_export_goes_by_names_not_by_position(tmp_path: Path) -> None:
@@ -143,7 +145,7 @@ def test_delph_standard_deviations(tmp_path: Path) -> None:
     accuracy = format.read(path, {})
     np.testing.assert_allclose(accuracy.position[7], SIGMAS[:3])
     np.testing.assert_allclose(np.degrees(accuracy.attitude[7]), [SIGMAS[4], SIGMAS[5], SIGMAS[3]])
-    assert "0.0080 to 0.0080 deg" in format.look(path, {}).facts["Sigma roll"]
+    assert message_text(format.look(path, {}).facts["Sigma roll"]) == "0.0080 to 0.0080 deg"
     assert recognised(write_delph(tmp_path / "bare.txt", vessel(50)), "accuracy") == []
 
 
@@ -157,8 +159,9 @@ def test_pospac_export(tmp_path: Path) -> None:
     trajectory = POSPAC.read(path, finding.choice)
     agrees(trajectory, records)
     np.testing.assert_allclose(trajectory.time, records[:, 0], rtol=0, atol=1e-5)
-    assert "roll is positive starboard down" in trajectory.assumptions
-    assert "column LATITUDE is in degrees" in trajectory.assumptions
+    degrees = note("assumed.column_unit", column="LATITUDE", unit=note("unit.degrees"))
+    assert degrees in trajectory.assumptions
+    assert "assumed.roll_starboard_down" in codes(trajectory.assumptions)
     ((format, _),) = recognised(path, "accuracy")
     accuracy = format.read(path, {})
     np.testing.assert_allclose(accuracy.position[3], SIGMAS[:3])
@@ -207,7 +210,7 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     assert ("trajectory.columns_assumed" in codes(finding.doubts)) == (not header)
     trajectory = ASCII.read(path, finding.choice)
     agrees(trajectory, records)
-    assert any("text with the columns time latitude" in words for words in trajectory.assumptions)
+    assert "assumed.given_columns" in codes(trajectory.assumptions)
 
 
 def test_mapping_is_the_string_that_was_saved(tmp_path: Path) -> None:
@@ -223,7 +226,7 @@ def test_mapping_is_the_string_that_was_saved(tmp_path: Path) -> None:
     agrees(ASCII.read(tmp_path / "a.csv", saved), records)
     found = ASCII.look(tmp_path / "a.csv", saved)
     assert found.choice | saved == found.choice
-    assert found.facts["Rate"] == "50 per second"
+    assert message_text(found.facts["Rate"]) == "50.0 per second"
 
 
 def test_signs_are_turned_as_stated(tmp_path: Path) -> None:
@@ -231,7 +234,7 @@ def test_signs_are_turned_as_stated(tmp_path: Path) -> None:
     up = ASCII.read(tmp_path / "a.txt", {}).attitude
     other = ASCII.read(tmp_path / "a.txt", {"pitch": "bow-down", "roll": "port-down"})
     np.testing.assert_array_equal(other.attitude, up * [-1, -1, 1])
-    assert "roll is positive port down (its sign is turned here)" in other.assumptions
+    assert "assumed.roll_port_down" in codes(other.assumptions)
 
 
 def test_radians_are_found(tmp_path: Path) -> None:
@@ -296,7 +299,7 @@ def test_eastings_and_northings(tmp_path: Path, heading: str) -> None:
     np.testing.assert_allclose(trajectory.latitude, records[:, 1], rtol=0, atol=1e-12)
     turned = trajectory.attitude[:, 2] - truth(records)["attitude"][:, 2]
     np.testing.assert_allclose(np.degrees(turned), 0, atol=1e-4)
-    assert any("EPSG:32618" in words for words in trajectory.assumptions)
+    assert note("assumed.grid_positions", system="EPSG:32618") in trajectory.assumptions
 
 
 def test_feet_in_a_row_of_names_are_found(tmp_path: Path) -> None:
@@ -315,7 +318,7 @@ def test_heights_above_the_sea_are_said(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(50)), "%.12f")
     columns = "time latitude longitude altitude roll pitch heading"
     trajectory = ASCII.read(tmp_path / "a.txt", {"columns": columns})
-    assert any("above sea level" in words for words in trajectory.assumptions)
+    assert "assumed.heights_above_sea" in codes(trajectory.assumptions)
 
 
 def test_exchanged_columns_show_in_the_course(tmp_path: Path) -> None:
@@ -327,13 +330,12 @@ def test_preview_of_a_long_file_reads_head_and_tail(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(5200)), "%.12f")
     finding = ASCII.look(tmp_path / "a.txt", {})
     assert "trajectory.last_rows" not in codes(finding.doubts)
-    assert finding.facts["End"] == f"{vessel(5200)[-1, 0]:.3f} s"
+    assert finding.facts["End"].params["time"] == pytest.approx(vessel(5200)[-1, 0])
     records = vessel(12_000, rate=200)
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
     finding = ASCII.look(tmp_path / "a.txt", {})
-    assert finding.facts["End"] == f"{records[-1, 0]:.3f} s"
-    rows = int(finding.facts["Rows"].removeprefix("about ").replace(",", ""))
-    assert rows == pytest.approx(12_000, rel=0.05)
+    assert finding.facts["End"].params["time"] == pytest.approx(records[-1, 0])
+    assert finding.facts["Rows"].params["count"] == pytest.approx(12_000, rel=0.05)
     assert "trajectory.gaps" not in codes(finding.doubts)
 
 

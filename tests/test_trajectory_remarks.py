@@ -11,7 +11,7 @@ from lispac.io.formats import format_of
 from lispac.io.trajectory_checks import require_attitude
 from lispac.io.trajectory_facts import time_doubts
 from lispac.io.trajectory_preview import accuracy_facts
-from lispac.messages import error, warning
+from lispac.messages import error, note, warning
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests.message_codes import codes
 from tests.test_trajectory_bad_input import edited, error_of, field, good
@@ -40,9 +40,7 @@ def test_times_that_start_again_are_counted_on(tmp_path: Path) -> None:
     path.write_text("".join(f"{s % 86_400:.1f} 45.5 -73.5 10 0 0 90\n" for s in seconds))
     read = ASCII.read(path, {"time": "utc-day"})
     np.testing.assert_allclose(read.time, seconds)
-    assert (
-        "times start again 1 time (midnight or end of the week) and are counted on from there"
-    ) in read.assumptions
+    assert note("assumed.time_rollover", count=1) in read.assumptions
 
 
 @pytest.mark.parametrize(
@@ -168,7 +166,7 @@ def test_an_altitude_above_the_ellipsoid_is_a_height(tmp_path: Path) -> None:
         path.write_text(text.replace("Height, meter positive upward", words, 1))
         found = EXAIL.look(path, {})
         read = EXAIL.read(path, found.choice)
-        at_sea.append(any("heights are above sea level" in words for words in read.assumptions))
+        at_sea.append("assumed.heights_above_sea" in codes(read.assumptions))
         np.testing.assert_allclose(read.height, records[:, 3], atol=1e-4)
     assert at_sea == [False, True]
 

@@ -9,7 +9,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.exail import unit_of
 from lispac.io.formats import format_of, recognised
-from lispac.messages import Message, error, warning
+from lispac.messages import Message, error, note, warning
 from lispac.survey.trajectory import Trajectory
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
@@ -38,6 +38,17 @@ EXAIL_HEAD = (
     "# heading: Heading, degree\n# roll: Roll, degree\n# pitch: Pitch, degree\n"
     "#time\teasting\tnorthing\tellipsoidHeight\theading\troll\tpitch\n"
 )
+
+
+FEET, US_FEET = note("unit.feet"), note("unit.us_survey_feet")
+
+
+def name_of_unit(trajectory: Trajectory, column: str) -> object:
+    """The unit in which a column was read."""
+    return next(
+        each.params["unit"] for each in trajectory.assumptions
+        if each.params.get("column") == column
+    )  # fmt: skip
 
 
 def gridded(crs: str, unit: float) -> tuple[np.ndarray, np.ndarray]:
@@ -89,26 +100,29 @@ def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: floa
     path = write(tmp_path / "a.txt", POSPAC_HEAD.format("Feet"), rows, " ")
     trajectory = POSPAC.read(path, {"crs": crs})
     assert off(trajectory, records) < 1e-4
-    words = "; ".join(trajectory.assumptions)
-    assert ("EASTING is in US survey feet" in words) == (crs == NEW_JERSEY)
-    assert ("the feet of the coordinate system" in words) == (crs != UTM)
+    easting = name_of_unit(trajectory, "EASTING")
+    of_system = {
+        NEW_JERSEY: note("unit.feet_of_system", unit=US_FEET),
+        MICHIGAN: note("unit.feet_of_system", unit=FEET),
+    }
+    assert easting == of_system.get(crs, FEET)
     doubts = POSPAC.look(path, {"crs": crs}).doubts
     assert ("trajectory.feet_not_specified" in codes(doubts)) == (crs == UTM)
 
 
 @pytest.mark.parametrize(
-    ("mark", "unit", "said"),
+    ("mark", "unit", "name"),
     [
-        ("[ft]", SURVEY_FOOT, "US survey feet, the feet of"),
-        ("[m]", 1.0, "metres"),
-        ("(ftUS)", SURVEY_FOOT, "US survey feet"),
-        ("[US ft]", SURVEY_FOOT, "US survey feet"),
-        ("[ift]", FOOT, "feet of 0.3048 m"),
-        ("", SURVEY_FOOT, "US survey feet, as in the coordinate system (the file names no unit)"),
+        ("[ft]", SURVEY_FOOT, note("unit.feet_of_system", unit=US_FEET)),
+        ("[m]", 1.0, note("unit.metres")),
+        ("(ftUS)", SURVEY_FOOT, US_FEET),
+        ("[US ft]", SURVEY_FOOT, US_FEET),
+        ("[ift]", FOOT, FEET),
+        ("", SURVEY_FOOT, note("unit.as_in_system", unit=US_FEET)),
     ],
 )
 def test_generic_text_heeds_the_unit_in_the_names(
-    tmp_path: Path, mark: str, unit: float, said: str
+    tmp_path: Path, mark: str, unit: float, name: Message
 ) -> None:
     records, rows = gridded(NEW_JERSEY, unit)
     head = f"Time[s],Easting{mark},Northing{mark},Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
@@ -116,7 +130,7 @@ def test_generic_text_heeds_the_unit_in_the_names(
     finding = ASCII.look(path, {"crs": NEW_JERSEY})
     trajectory = ASCII.read(path, finding.choice)
     assert off(trajectory, records) < 1e-4
-    assert any(f"easting is in {said}" in words for words in trajectory.assumptions)
+    assert name_of_unit(trajectory, "easting") == name
 
 
 def test_unit_stated_by_the_user_goes_before_that_of_the_names(tmp_path: Path) -> None:
@@ -139,7 +153,7 @@ def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path:
     finding = ASCII.look(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
     trajectory = ASCII.read(path, finding.choice)
     assert off(trajectory, records) < 1e-4
-    assert any("height is in US survey feet, as in the" in said for said in trajectory.assumptions)
+    assert name_of_unit(trajectory, "height") == note("unit.as_in_system", unit=US_FEET)
     assert "trajectory.height_unit_not_stated" not in codes(finding.doubts)
 
 

@@ -186,10 +186,12 @@ def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
     found = dict(qualities(project, survey))
     where = ("T2", "L3")
     found = {key: replace(each, light="good", reasons=()) for key, each in found.items()}
-    found[where] = replace(found[where], light="poor", reasons=("It is seen at 81 deg.",))
-    code = "project.sighting_quality"
+    found[where] = replace(
+        found[where], light="poor", reasons=(note("quality.oblique", angle=1.41),)
+    )
+    code = "project.poor_sighting"
     (told,) = [each for each in warnings_of(project, survey, found) if each.code == code]
-    assert message_text(told) == f"T2 on L3: {found[where].words}"
+    assert told.params["reasons"] == found[where].reasons
     assert told.subject == Cause.of_sighting(*where)
 
 

@@ -5,7 +5,7 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
-from lispac.message_texts import message_text, note_text
+from lispac.message_texts import message_text
 from lispac.workflow.export_request import system_of
 from lispac.workflow.exporting import (
     SBET_ZEROS,
@@ -67,8 +67,8 @@ def export(arguments: Namespace) -> None:
                     project, survey, arguments.output, arguments.boresight, system=system,
                     ending=form, names=names, progress=progress,
                 )  # fmt: skip
-                for note in () if system is None else system.notes:
-                    print(f"note: {note_text(note)}", file=sys.stderr)
+                for note in () if system is None else system.assumptions:
+                    print(f"note: {message_text(note)}", file=sys.stderr)
     if arguments.json:
         print_json({"files": [str(path) for path in paths]})
         return

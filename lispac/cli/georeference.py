@@ -4,7 +4,7 @@ import sys
 from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.message_texts import note_text
+from lispac.message_texts import message_text
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.projects import open_project
 
@@ -25,8 +25,8 @@ def georeference(arguments: Namespace) -> None:
             ending=arguments.format,
             progress=progress,
         )
-    notes = [note_text(note) for done in written for note in done.all_notes]
-    for note in dict.fromkeys(notes):
+    notes = tuple(dict.fromkeys(message_text(each) for done in written for each in done.notes))
+    for note in notes:
         print(f"note: {note}", file=sys.stderr)
     if arguments.json:
         lines = [
@@ -36,7 +36,7 @@ def georeference(arguments: Namespace) -> None:
             }
             for done in written
         ]  # fmt: skip
-        print_json({"lines": lines, "notes": list(dict.fromkeys(notes))})
+        print_json({"lines": lines, "notes": notes})
         return
     for done in written:
         print(f"{done.path}  {done.points:,} points")

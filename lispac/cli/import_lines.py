@@ -9,7 +9,7 @@ from lispac.errors import Cancelled
 from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.progress import Progress
-from lispac.workflow.importing import Imported, header_is_damaged
+from lispac.workflow.importing import Imported, assumptions_of, header_is_damaged
 from lispac.workflow.importing import import_lines as imported_lines
 from lispac.workflow.projects import open_project
 
@@ -44,8 +44,8 @@ def import_lines(arguments: Namespace) -> None:
         _print(item)
     for reason in (item.reason for item in found if item.reason):
         print(f"note: {message_text(reason)}", file=sys.stderr)
-    for words in dict.fromkeys(words for item in found for words in item.stored.assumptions):
-        print(f"note: {words}", file=sys.stderr)
+    for message in dict.fromkeys(each for item in found for each in assumptions_of(item.stored)):
+        print(f"{message.level}: {message_text(message)}", file=sys.stderr)
 
 
 def _check(found: list[Imported], progress: Progress) -> None:
@@ -79,5 +79,5 @@ def _numbers(item: Imported) -> dict[str, Any]:
         "left_out": manifest.left_out,
         "bytes": manifest.bytes,
         "seconds": item.seconds,
-        "assumptions": list(manifest.assumptions),
+        "assumptions": list(map(message_text, assumptions_of(item.stored))),
     }

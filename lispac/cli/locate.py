@@ -5,9 +5,10 @@ from pathlib import Path
 
 from lispac.cli.console import opened
 from lispac.errors import InputError
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.moved import found_words, missing, with_files_in
+from lispac.workflow.moved import missing, moved_note, with_files_in
 from lispac.workflow.projects import opened_with_notes, save_project
 
 
@@ -24,11 +25,11 @@ def locate(arguments: Namespace) -> None:
     with opened(arguments.project, change=True):
         before, notes = opened_with_notes(arguments.project)
         for note in notes:
-            print(note)
+            print(message_text(note))
         after = with_files_in(before, arguments.folder.absolute())
         save_project(after)
     for path in sorted(_files(after) - _files(before)):
-        print(found_words(path))
+        print(message_text(moved_note(path)))
     gone = missing(after)
     if gone:
         names = [path.name for path in gone]

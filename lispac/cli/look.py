@@ -9,7 +9,7 @@ from typing import Any
 from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_numbers
-from lispac.message_texts import message_text, note_text
+from lispac.message_texts import fact_text, message_text
 from lispac.workflow.file_audit import audit_messages_of
 from lispac.workflow.reading import Look, looks
 
@@ -44,19 +44,20 @@ def _audited(path: Path, found: Sequence[Look]) -> list[Look]:
 
 def _print(item: Look) -> None:
     sure = "certainly" if item.sureness >= 1 else "probably" if item.sureness > 0.5 else "perhaps"
-    print(f"\n{sure} {item.format.name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
+    name = message_text(item.format.name)
+    print(f"\n{sure} {name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
     if item.finding is None:
         reason = plain(message_text(item.error)) if item.error else ""
         print(f"  cannot be read: {reason}")
         return
     for name, value in item.finding.facts.items():
-        print(f"  {name:20s} {value}")
+        print(f"  {name:20s} {fact_text(value)}")
     settled = item.format.settled(item.finding.choice)
     for option in item.format.options:
         among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
         print(f"  option {option.name}={settled[option.name]}{among}: {option.meaning}")
     for assumption in item.finding.assumptions:
-        print(f"  assumed: {plain(note_text(assumption))}")
+        print(f"  assumed: {plain(message_text(assumption))}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
     for message in (*item.finding.doubts, *item.finding.messages):
@@ -68,13 +69,13 @@ def _numbers(item: Look) -> dict[str, Any]:
     messages = (*finding.doubts, *finding.messages) if finding else ()
     return {
         "format": item.format.key,
-        "name": item.format.name,
+        "name": message_text(item.format.name),
         "kind": item.format.kind,
         "sureness": item.sureness,
         "error": plain(message_text(item.error)) if item.error else "",
-        "facts": dict(finding.facts) if finding else {},
+        "facts": {name: fact_text(fact) for name, fact in finding.facts.items()} if finding else {},
         "options": item.format.settled(finding.choice) if finding else {},
-        "assumptions": [plain(note_text(a)) for a in finding.assumptions] if finding else [],
+        "assumptions": [plain(message_text(a)) for a in finding.assumptions] if finding else [],
         "doubts": [plain(message_text(each)) for each in finding.doubts] if finding else [],
         "messages": [message_numbers(each) for each in messages],
     }

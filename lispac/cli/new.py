@@ -14,7 +14,7 @@ from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.messages import message_numbers, print_messages
 from lispac.cli.sensor_options import pos_sigmas, titles
 from lispac.identity import BLANK
-from lispac.message_texts import note_text
+from lispac.message_texts import message_text
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.source import printable
 from lispac.workflow import projects
@@ -82,5 +82,5 @@ def _named(paths: Iterable[Path]) -> list[tuple[str, Path]]:
 
 def _notes(survey: Survey) -> None:
     for note in survey.notes:
-        print(f"note: {plain(note_text(note))}", file=sys.stderr)
+        print(f"note: {plain(message_text(note))}", file=sys.stderr)
     print_messages(survey.messages)

@@ -10,8 +10,9 @@ import numpy as np
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
-from lispac.doubles import overlap_with, overlap_words
-from lispac.message_texts import english_text, message_text, note_text
+from lispac.doubles import overlap_warning, overlap_with
+from lispac.message_texts import english_text, message_text
+from lispac.messages import Message, note
 from lispac.project import Project, Target
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.quality import SightingQuality
@@ -21,7 +22,7 @@ from lispac.workflow import picking, projects
 from lispac.workflow.coordinates import require_near
 from lispac.workflow.export_request import system_of
 from lispac.workflow.qualities import judge_target
-from lispac.workflow.seeking import thinned_words
+from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import load_survey
 from lispac.workflow.target_systems import LOCAL
 
@@ -54,13 +55,13 @@ def _pick(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
     target = project.target(arguments.name)
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
     found = judge_target(project, survey, target)
-    double = overlap_words(target, project.targets)
+    double = overlap_warning(target, project.targets)
     notes = (
-        *(() if system is None else map(note_text, system.notes)), *notes_on(target, how["radius"]),
-        *((double,) if double else ()),
+        *(() if system is None else system.assumptions), *notes_on(target, how["radius"]),
+        *(() if double is None else (double,)),
     )  # fmt: skip
-    for note in notes:
-        print(f"note: {note}", file=sys.stderr)
+    for each in notes:
+        print(f"note: {message_text(each)}", file=sys.stderr)
     if arguments.json:
         print_json(as_json(target, spheres, found) | {"same_points_as": _common(project, target)})
     else:
@@ -116,16 +117,15 @@ def _how(arguments: Namespace) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def notes_on(target: Target, radius: float | None) -> tuple[str, ...]:
-    """What there is to say of how a target was sought; ``radius``, metres, is the one asked for."""
+def notes_on(target: Target, radius: float | None) -> tuple[Message, ...]:
+    """Notes on how a target was searched for; ``radius``, metres, is the one given."""
     usual = picking.DEFAULT_RADII[target.role][0]
-    widened: tuple[str, ...] = ()
+    widened: tuple[Message, ...] = ()
     if radius is None and target.shape == "plane" and target.radius > usual:
         widened = (
-            f"{target.name}: fewer than two lines have a plane within {usual:g} m of the "
-            f"seed; sought within {target.radius:g} m",
+            note("finder.radius_increased", target=target.name, usual=usual, radius=target.radius),
         )
-    return (*widened, *thinned_words(target))
+    return (*widened, *thinned_notes(target))
 
 
 def as_json(
@@ -167,7 +167,7 @@ def _print(
             f"RMS {sighting.rms * 1000:.1f} mm, {found[sighting.line].light}"
         )
         for reason in found[sighting.line].reasons:
-            print(f"    {reason}")
+            print(f"    {message_text(reason)}")
         if sighting.line in spheres:
             patch = spheres[sighting.line]
             north, west, up = patch.centre

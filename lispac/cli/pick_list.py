@@ -19,7 +19,7 @@ from lispac.workflow.seed_lists import (
     require_found,
     require_free,
 )
-from lispac.workflow.seeking import thinned_words
+from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import Survey
 
 
@@ -47,11 +47,11 @@ def pick_list(
         project, outcomes = pick_seeds(project, survey, seeds.seeds, how, progress=progress)
     require_found(seeds, outcomes)
     projects.save_project(project)
-    notes = [*seeds.notes]
+    notes = list(seeds.notes)
     for outcome in outcomes:
-        notes += thinned_words(outcome.target) if outcome.target is not None else ()
+        notes += thinned_notes(outcome.target) if outcome.target is not None else ()
     for note in notes:
-        print(f"note: {note}", file=sys.stderr)
+        print(f"note: {message_text(note)}", file=sys.stderr)
     if arguments.json:
         print_json({"seeds": [_as_json(project, survey, outcome) for outcome in outcomes]})
     else:
@@ -64,7 +64,7 @@ def _as_json(project: Project, survey: Survey, outcome: Outcome) -> dict[str, An
     seed, target = outcome.seed, outcome.target
     said = {
         "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
-        "found": target is not None, "reason": outcome.reason,
+        "found": target is not None, "reason": _text(outcome),
     }  # fmt: skip
     if target is None:
         return said | {"lines": {}, "missing": {}}
@@ -77,6 +77,10 @@ def _as_json(project: Project, survey: Survey, outcome: Outcome) -> dict[str, An
     return said | {"lines": lines, "missing": missing}
 
 
+def _text(outcome: Outcome) -> str:
+    return "" if outcome.remark is None else english_text(outcome.remark)
+
+
 def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
     """One row a seed: what was found on how many lines, and what not and why."""
     width = max(len("name"), *(len(outcome.seed.name) for outcome in outcomes))
@@ -85,14 +89,14 @@ def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
         seed, target = outcome.seed, outcome.target
         head = f"{seed.row:4}  {seed.name:{width}}  {seed.role:10}"
         if target is None:
-            print(f"{head}  {'none':>7}  {outcome.reason}")
+            print(f"{head}  {'none':>7}  {_text(outcome)}")
             continue
         found = target.sightings
         points = sum(len(sighting.indices) for sighting in found)
         rms = 1000 * max(sighting.rms for sighting in found)
         print(f"{head}  {f'{len(found)} of {lines}':>7}  {points:9,}  {rms:8.1f}")
-        if outcome.reason:
-            print(f"      {outcome.reason}")
+        if outcome.remark is not None:
+            print(f"      {_text(outcome)}")
         for line, reason in target.missing.items():
             print(f"      not on {line}: {message_text(reason)}")
     count = sum(outcome.target is not None for outcome in outcomes)

@@ -14,7 +14,7 @@ from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.workflow import projects
 from lispac.workflow.proposing import propose as proposal_for
-from lispac.workflow.seeking import thinned_words
+from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import load_survey
 
 
@@ -35,8 +35,8 @@ def propose(arguments: Namespace) -> None:
             survey = load_survey(project, progress=progress)
         with ConsoleProgress() as progress:
             proposal = proposal_for(project, survey, progress=progress)
-        for words in (words for target in proposal.targets for words in thinned_words(target)):
-            print(f"note: {words}", file=sys.stderr)
+        for each in (each for target in proposal.targets for each in thinned_notes(target)):
+            print(f"note: {message_text(each)}", file=sys.stderr)
         if arguments.accept:
             for target in proposal.targets:
                 project = project.with_target(target)

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from lispac.message_texts import english_text, message_text
 from lispac.targets.quality import SightingQuality
 
 Key = tuple[str, str]
@@ -15,7 +16,7 @@ def as_values(quality: SightingQuality) -> dict[str, Any]:
     incidence, extent = quality.incidence, quality.extent
     return {
         "light": quality.light,
-        "reasons": list(quality.reasons),
+        "reasons": list(map(english_text, quality.reasons)),
         "points": quality.points,
         "rms_m": quality.rms,
         "smear_of_prior_m": quality.smear,
@@ -45,4 +46,5 @@ def print_doubtful(found: Mapping[Key, SightingQuality]) -> None:
         return
     print("\nSightings that are less than good:")
     for (target, line), quality in sorted(told, key=lambda each: each[1].light != "poor"):
-        print(f"- {target} on {line}: {quality.words}")
+        reasons = map(message_text, quality.reasons)
+        print(f"- {target} on {line}: {' '.join((f'{quality.light.capitalize()}.', *reasons))}")

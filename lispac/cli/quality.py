@@ -11,6 +11,7 @@ import numpy as np
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
+from lispac.message_texts import message_text
 from lispac.progress import part
 from lispac.workflow.line_quality import Figures, LineQuality, line_quality
 from lispac.workflow.projects import open_project
@@ -46,14 +47,14 @@ def quality(arguments: Namespace) -> None:
                     {"first": one, "second": other, "facing": facing} | _metres(figures)
                     for one, other, facing, figures in found.rows()
                 ],
-                "not_compared": list(found.not_compared),
+                "not_compared": list(map(message_text, found.not_compared)),
             }
         )
         return
     _print(found)
     sys.stdout.flush()
     for reason in found.not_compared:
-        print(f"note: {reason}", file=sys.stderr)
+        print(f"note: {message_text(reason)}", file=sys.stderr)
 
 
 def _metres(figures: Figures) -> dict[str, float | None]:

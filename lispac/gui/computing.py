@@ -13,7 +13,7 @@ from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import N_, Plural, Template, gettext
-from lispac.message_texts import message_text, note_text
+from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import Progress
 from lispac.project import Project
@@ -194,15 +194,15 @@ class Computing(QObject):
         if project is None or survey is None:
             return
 
-        def work(progress: Progress) -> tuple[list[Path], tuple[str | Message, ...]]:
+        def work(progress: Progress) -> tuple[list[Path], tuple[Message, ...]]:
             from lispac.workflow.export_request import export
 
             return export(project, survey, request, progress=progress)
 
-        def done(written: tuple[list[Path], tuple[str | Message, ...]]) -> None:
+        def done(written: tuple[list[Path], tuple[Message, ...]]) -> None:
             paths, notes = written
             for note in notes:
-                self._controller.noted.emit(note_text(note))
+                self._controller.noted.emit(message_text(note))
             wrote = Plural("Wrote {path}", "Wrote {path} ({count:n} files)")
             self._controller.noted.emit(gettext(wrote, count=len(paths), path=request.output))
 

@@ -17,13 +17,13 @@ from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.wishes import Wishes
 from lispac.language import N_, Plural, gettext
-from lispac.message_texts import note_text
-from lispac.messages import error
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
 from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
 from lispac.workflow import edits
 from lispac.workflow.intake import ImportRequest
-from lispac.workflow.seeking import thinned_words
+from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import Survey, load_survey
 
 Opened = tuple[Project, Survey]
@@ -82,7 +82,11 @@ class Controller(QObject):
         self._open(project.name, lambda: (project, ()), found=True)
 
     def _open(
-        self, name: str, read: Callable[[], tuple[Project, tuple[str, ...]]], *, found: bool = False
+        self,
+        name: str,
+        read: Callable[[], tuple[Project, tuple[Message, ...]]],
+        *,
+        found: bool = False,
     ) -> None:
         def work(progress: Progress) -> Opened | Project:
             from lispac.workflow.moved import missing
@@ -147,7 +151,7 @@ class Controller(QObject):
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
-                self.noted.emit(note_text(note))
+                self.noted.emit(message_text(note))
             if count == 1:
                 template = N_("{line} was added to {project}. Save the project to keep it.")
             else:
@@ -245,7 +249,7 @@ class Controller(QObject):
         if self._document.project is None:  # closed again: another window has it
             return
         for note in survey.notes:
-            self.noted.emit(note_text(note))
+            self.noted.emit(message_text(note))
         self.noted.emit(gettext("Opened {folder}", folder=project.folder))
 
     def _follow(self) -> None:
@@ -359,8 +363,8 @@ class Controller(QObject):
         """Show what was found and wait for a yes or a no."""
         self.candidate = candidate
         self._scene.show_candidate(candidate)
-        for words in thinned_words(candidate):
-            self.noted.emit(words)
+        for each in thinned_notes(candidate):
+            self.noted.emit(message_text(each))
         self.candidate_changed.emit()
 
     def _drop_candidate(self) -> None:

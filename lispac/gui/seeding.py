@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.wishes import Wishes
 from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.survey import Survey
@@ -90,15 +91,15 @@ class Seeding(QObject):
         self._controller.based_on_project(task)
 
     def _take_over(self, path: Path, edited: Project, outcomes: "tuple[Outcome, ...]") -> None:
-        from lispac.workflow.seeking import thinned_words
+        from lispac.workflow.seeking import thinned_notes
 
         names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
         candidate = self._controller.candidate
         if candidate is not None and candidate.name in names:
             self._controller.reject()  # its name is taken now
         for outcome in outcomes:
-            for words in thinned_words(outcome.target) if outcome.target else ():
-                self._controller.noted.emit(words)
+            for each in thinned_notes(outcome.target) if outcome.target else ():
+                self._controller.noted.emit(message_text(each))
         if names:
             self._document.edit(N_("seeds of {file}"), edited, file=path.name)
         found = Plural(

@@ -52,7 +52,7 @@ from lispac.io.units import (
     stated_unit,
     with_units,
 )
-from lispac.messages import Action, Level, Message, Value, error, warning
+from lispac.messages import Action, Level, Message, Value, error, note, warning
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory
 
@@ -144,8 +144,9 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
         [_bare(name) for name in titles], [stated_unit(name) for name in titles]
     )
     return TextLayout(
-        tuple(columns), tuple(tokens), separator, rows, {"Header": "generic text"}, (), velocities
-    )
+        tuple(columns), tuple(tokens), separator, rows, {"Header": note("fact.text")}, (),
+        velocities,
+    )  # fmt: skip
 
 
 def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Rows:
@@ -201,9 +202,9 @@ def read_ascii(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = layout_of(path, choice)
-    said = (f"text with the columns {' '.join(layout.names)}",)
+    given = note("assumed.given_columns", columns=layout.names)
     return trajectory_of(
-        path, layout.rows(path), layout.columns, _conventions(DEFAULTS | dict(choice)), said
+        path, layout.rows(path), layout.columns, _conventions(DEFAULTS | dict(choice)), (given,)
     )
 
 

@@ -16,6 +16,7 @@ from lispac.io.points import (
     CHUNK,
     PLACE,
     PREVIEW,
+    SCANNER_COLUMNS,
     place_facts,
     plainly,
     require_filled,
@@ -28,7 +29,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import error
+from lispac.messages import error, note
 from lispac.survey.source import printable
 
 COLUMNS = 22
@@ -78,15 +79,14 @@ def look(path: Path, choice: Choice) -> Finding:
     records = next(records_of(path, PREVIEW))
     seen = sight(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
     facts = {
-        "format": "CIDCO binary, 22 float64 a point",
-        "points": f"{path.stat().st_size // RECORD:,}",
+        "format": note("fact.cidco"),
+        "points": path.stat().st_size // RECORD,
         **place_facts(settled),
         "time base": time_base(records[:, 3], settled["time_base"]),
         **seen.facts,
-        "assumed": "columns in CIDCO's order; LiDAR coordinates are taken, the local ones and the "
-        "POS states go along; points and trajectory share one time base",
     }
-    return Finding(facts, table(NAMES, tuple(records.T)), {}, seen.doubts)
+    assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMNS)
+    return Finding(facts, table(NAMES, tuple(records.T)), {}, seen.doubts, assumptions)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -131,4 +131,4 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             yield records
 
 
-CIDCO = Format("CIDCO binary (22 columns)", "cidco", "points", (), PLACE, sniff, look, read)
+CIDCO = Format(note("format.cidco"), "cidco", "points", (), PLACE, sniff, look, read)

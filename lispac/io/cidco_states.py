@@ -17,9 +17,10 @@ from lispac.geometry.rotations import angles_of, rotation_matrix
 from lispac.io.cidco import NAMES, records_of
 from lispac.io.cidco import sniff as sniff_points
 from lispac.io.points import CHUNK, PREVIEW, plainly, require_filled, table
-from lispac.io.registry import NOT, POSSIBLE, Choice, Finding, Option
-from lispac.io.trajectory_facts import duration_words
-from lispac.messages import Message, error, warning
+from lispac.io.registry import NOT, POSSIBLE, Choice, Fact, Finding, Option
+from lispac.io.trajectory_facts import span_facts
+from lispac.language import N_
+from lispac.messages import Message, error, note, warning
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -27,8 +28,10 @@ Array = NDArray[np.float64]
 
 ORIGIN = Option(
     "origin",
-    "Where the file's local frame stands on Earth: latitude and longitude in degrees, height in "
-    "metres above the ellipsoid, 46.8 -71.2 20 say.",
+    N_(
+        "Origin of the local frame of the file: latitude and longitude in degrees, height in "
+        "metres above the ellipsoid, as in 46.8 -71.2 20."
+    ),
     (),
     "0 0 0",
 )
@@ -131,19 +134,13 @@ def _first(path: Path) -> tuple[tuple[str, ...], ...]:
     return table(NAMES, tuple(records.T))
 
 
-def _facts(states: Array) -> dict[str, str]:
-    time = states[:, 0]
+def _facts(states: Array) -> dict[str, Fact]:
     low, high = states[:, 7:10].min(axis=0), states[:, 7:10].max(axis=0)
-    return {
-        "Records": f"{len(states):,} states of different times",
-        "Start": f"{time[0]:.3f} s",
-        "End": f"{time[-1]:.3f} s",
-        "Duration": duration_words(float(time[-1] - time[0])),
-        **{
-            f"Position {axis}": f"{a:.2f} to {b:.2f} m"
-            for axis, a, b in zip(("north", "west", "up"), low, high, strict=True)
-        },
-    }
+    facts: dict[str, Fact] = {"Records": note("fact.states", count=len(states))}
+    facts |= span_facts(states[:, 0])
+    for axis, a, b in zip(("north", "west", "up"), low, high, strict=True):
+        facts[f"Position {axis}"] = note("fact.lengths", low=a, high=b)
+    return facts
 
 
 def _doubts(path: Path, choice: Choice) -> tuple[Message, ...]:
@@ -152,11 +149,10 @@ def _doubts(path: Path, choice: Choice) -> tuple[Message, ...]:
     return (warning("cidco.no_origin", file=printable(path.name)),)
 
 
-def _assumptions(choice: Choice) -> tuple[str, ...]:
+def _assumptions(choice: Choice) -> tuple[Message, ...]:
     origin = choice.get("origin", ORIGIN.default) or ORIGIN.default
     return (
-        f"CIDCO states: positions are metres north, west, up about {origin} (deg, deg, m)",
-        "roll is positive starboard down, pitch positive bow down, heading clockwise from the "
-        "north of that frame, radians",
-        "times count as those of the points",
+        note("assumed.cidco_positions", origin=str(origin)),
+        note("assumed.cidco_attitude"),
+        note("assumed.times_of_points"),
     )

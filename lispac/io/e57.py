@@ -24,17 +24,29 @@ from lispac.io.points import (
     time_base,
     usable_points,
 )
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, Option, PointChunk
+from lispac.io.registry import (
+    NOT,
+    SAME_TIME_BASE,
+    SURE,
+    Choice,
+    Fact,
+    Finding,
+    Format,
+    Option,
+    PointChunk,
+)
 from lispac.io.sight import sight
-from lispac.messages import Level, Message, Value, error, warning
+from lispac.language import N_
+from lispac.messages import Level, Message, Value, error, note, warning
 from lispac.survey.source import printable
 
 Array = NDArray[np.float64]
 
 START, ZERO = "start", "zero"
 TIME_FROM = Option(
-    "time_from", "Whether time stamps count from the start of their scan, as the standard says, or "
-    "from zero", (START, ZERO), START,
+    "time_from",
+    N_("Time from which time stamps count: the start of their scan, as in the standard, or zero."),
+    (START, ZERO), START,
 )  # fmt: skip
 DAY = 86_400.0
 
@@ -89,26 +101,29 @@ def look(path: Path, choice: Choice) -> Finding:
     found["frame"] = seen.frame
     settled = E57.settled({**found, **choice})
     time = posed.time
-    facts = {
+    facts: dict[str, Fact] = {
         "format": "E57",
-        "points": f"{count:,} in {len(scans):,} scans",
-        "coordinate system": system[:200] or "none",
+        "points": note("fact.points_in_scans", points=count, scans=len(scans)),
+        "coordinate system": system[:200] or note("fact.none"),
         **place_facts(settled),
         "time base": time_base(time, settled["time_base"]),
         **seen.facts,
         "fields": ", ".join(scan.fields),
-        "written by": writer or "not stated",
-        "assumed": "time stamps counted from the start of their scan"
-        if settled["time_from"] == START
-        else "time stamps as they are; points and trajectory share one time base",
+        "written by": writer or note("fact.not_specified"),
     }
+    assumptions = (
+        (note("assumed.time_stamps_from_scan"),)
+        if settled["time_from"] == START
+        else (note("assumed.time_stamps_as_they_are"), SAME_TIME_BASE)
+    )
     names = tuple(stored)
     return Finding(
         facts,
         table(names, tuple(stored.values())),
         {name: value for name, value in found.items() if value},
         (*doubts, *seen.doubts, *base_doubts(time, base, file)),
-        messages=_invalid_messages(path, invalid, count),
+        assumptions,
+        _invalid_messages(path, invalid, count),
     )
 
 
@@ -194,4 +209,4 @@ def _text(root: Any, name: str) -> str:
     return str(root[name].value()).strip() if root.isDefined(name) else ""
 
 
-E57 = Format("E57", "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, look, read)
+E57 = Format(note("format.e57"), "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, look, read)

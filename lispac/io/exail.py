@@ -16,13 +16,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
+from lispac.io.registry import LIKELY, NOT, SURE, Choice, Fact, Finding
 from lispac.io.text_table import fields_of, first_lines, is_clock, lines_of
 from lispac.io.trajectory_columns import (
     GRID,
     HEIGHTS,
     HEMISPHERES,
     POSITION,
+    SIGN_NAMES,
     Column,
     Conventions,
     Rows,
@@ -40,7 +41,7 @@ from lispac.io.trajectory_preview import (
 )
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import direction_of, unit_of
-from lispac.messages import Level, Message, error, warning
+from lispac.messages import Level, Message, error, note, warning
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -116,16 +117,18 @@ def exail_layout(path: Path) -> TextLayout:
             unit = default_unit(role)
             doubts.append(unstated(path, name, unit))
         columns.append(Column(role, index, name, unit))
-    facts = {"Header": comments[0].lstrip("# ").strip() or "without title"}
-    facts |= {
-        f"Sign of {column.role}": words
+    facts: dict[str, Fact] = {"Header": comments[0].lstrip("# ").strip() or note("fact.no_title")}
+    signs = {
+        column.role: sign
         for column in columns
-        if (words := sign_in(described.get(column.name.lower(), "")))
+        if (sign := sign_in(described.get(column.name.lower(), "")))
     }
+    for angle, sign in signs.items():
+        facts[f"Sign of {angle}"] = SIGN_NAMES[sign]
     units = [unit_of(described.get(name.lower(), "")) for name in names]
     return TextLayout(
         tuple(columns), names, separator, exail_rows, facts, tuple(doubts),
-        velocity_columns(names, units),
+        velocity_columns(names, units), signs,
     )  # fmt: skip
 
 
@@ -177,7 +180,7 @@ def look_exail(path: Path, choice: Choice) -> Finding:
     finding = look_at_text(path, layout, _conventions(layout, found), found)
     doubts = list(finding.doubts)
     for angle in ("roll", "pitch"):
-        if f"Sign of {angle}" not in layout.facts and angle not in choice:
+        if angle not in layout.signs and angle not in choice:
             doubts.append(sign_assumed(path, angle, found[angle]))
     if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
         doubts.append(warning("times.utc_assumed", file=printable(path.name)))
@@ -194,9 +197,10 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     path = Path(path)
     layout = exail_layout(path)
     conventions = _conventions(layout, _detected(layout) | dict(choice))
-    header = "Exail text: columns and units by the header"
-    assumptions: tuple[str | Message, ...] = (header, *layout.doubts)
-    return trajectory_of(path, exail_rows(path), layout.columns, conventions, assumptions)
+    header = note("assumed.header_columns", format=note("format.exail"))
+    return trajectory_of(
+        path, exail_rows(path), layout.columns, conventions, (header, *layout.doubts)
+    )
 
 
 def look_exail_accuracy(path: Path, choice: Choice) -> Finding:
@@ -236,8 +240,8 @@ def _detected(layout: TextLayout) -> dict[str, str]:
     elif "time" in roles and roles["time"].unit == "clock":
         time = "utc-day"
     return {
-        "pitch": layout.facts.get("Sign of pitch", "bow-down"),
-        "roll": layout.facts.get("Sign of roll", "starboard-down"),
+        "pitch": layout.signs.get("pitch", "bow-down"),
+        "roll": layout.signs.get("roll", "starboard-down"),
         "time": time,
     }
 

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.files import written_whole
 from lispac.io.las_chunks import read
-from lispac.messages import error
+from lispac.messages import error, note
 from lispac.survey.scan import Scan
 
-ASSUMPTIONS = ("LAS coordinates are metres in the LiDAR frame", "LAS gps_time is the point time")
+ASSUMPTIONS = (note("assumed.metres_in_scanner_frame"), note("assumed.las_time"))
 
 
 def read_scan(path: Path) -> Scan:

@@ -31,9 +31,18 @@ from lispac.io.points import (
     time_base,
     usable_numbers,
 )
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.io.registry import (
+    NOT,
+    SAME_TIME_BASE,
+    SURE,
+    Choice,
+    Fact,
+    Finding,
+    Format,
+    PointChunk,
+)
 from lispac.io.sight import sight
-from lispac.messages import Message, error, warning
+from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import local_text
 from lispac.survey.kernels import scaled
 from lispac.survey.screening import LARGEST
@@ -42,7 +51,6 @@ from lispac.survey.source import printable
 LARGEST_CHUNK = 1 << 28
 """Bytes of point records read at once, whatever size a header claims for one."""
 FEET_SCALES = (0.3048, 1 / 0.3048)
-BOUNDS_DOUBT = "Points lie outside the bounds that the header states: the file may be damaged."
 WAVEFORMS = (4, 5, 9, 10)
 """Point formats whose points refer to waveforms."""
 MIXED_UP = (9, 10)
@@ -136,18 +144,20 @@ def look(path: Path, choice: Choice) -> Finding:
     }
     settled = LAS.settled({**found, **choice})
     compressed = "LAZ" if header.are_points_compressed else "LAS"
-    facts = {
-        "format": f"{compressed} {header.version}, point format {header.point_format.id}",
-        "points": f"{header.point_count:,}",
-        "coordinate system": stated.name,
+    facts: dict[str, Fact] = {
+        "format": note(
+            "fact.las", kind=compressed, version=str(header.version),
+            number=int(header.point_format.id),
+        ),
+        "points": int(header.point_count),
+        "coordinate system": stated.name or note("fact.none"),
         **place_facts(settled),
         "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
         "time base": time_base(time, settled["time_base"]),
         **seen.facts,
         "attributes": ", ".join(header.point_format.dimension_names),
-        "written by": _text(header.generating_software) or "not stated",
-        "assumed": "points and trajectory share one time base",
-    }
+        "written by": _text(header.generating_software) or note("fact.not_specified"),
+    }  # fmt: skip
     return Finding(
         facts,
         table(names, values),
@@ -158,7 +168,7 @@ def look(path: Path, choice: Choice) -> Finding:
             *(() if choice.get("time_base") else base_doubts(time, base, file)),
             *_header_doubts(header, stated.text, xyz, file),
         ),
-        _assumptions(header),
+        (SAME_TIME_BASE, *_waveform_notes(header)),
         (
             # The system that applies is kept with a project, and the conflict with it.
             *(stated.messages if choice.get("crs") in (None, "", stated.text) else ()),
@@ -302,14 +312,11 @@ def _time_base(header: laspy.LasHeader) -> str:
     return "gps-week"
 
 
-def _assumptions(header: laspy.LasHeader) -> tuple[str, ...]:
-    if header.point_format.id not in WAVEFORMS:
-        return ()
-    words = "waveforms are not read; the points and what they say of their waveforms are"
-    if header.are_points_compressed and header.point_format.id in MIXED_UP:
-        words += ", and of that LAZ with several scanner channels may give back another size, "
-        words += "place and direction"
-    return (words,)
+def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
+    if header.point_format.id in WAVEFORMS:
+        yield note("assumed.waveforms")
+        if header.are_points_compressed and header.point_format.id in MIXED_UP:
+            yield note("assumed.waveforms_mixed_up")
 
 
 def _header_doubts(
@@ -336,4 +343,6 @@ def _text(value: str | bytes) -> str:
     return text.strip("\0 ")
 
 
-LAS = Format("LAS or LAZ", "las", "points", (".las", ".laz"), PLACE, sniff, look, read, read_from)
+LAS = Format(
+    note("format.las"), "las", "points", (".las", ".laz"), PLACE, sniff, look, read, read_from
+)

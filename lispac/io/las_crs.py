@@ -39,6 +39,7 @@ class StatedSystem:
     text : str
         For `lispac.survey.crs.coordinate_system`; empty where the header says nothing usable.
     name, height_unit : str
+        Empty where it says nothing usable.
     doubts : tuple of Message
         About a system that cannot be used, or is used with an assumption.
     messages : tuple of Message
@@ -46,7 +47,7 @@ class StatedSystem:
     """
 
     text: str = ""
-    name: str = "none"
+    name: str = ""
     height_unit: str = ""
     doubts: tuple[Message, ...] = ()
     messages: tuple[Message, ...] = ()

@@ -27,10 +27,11 @@ from lispac.io.las_crs_written import state_system
 from lispac.io.las_guard import require_sound_header
 from lispac.io.points import damaged
 from lispac.io.registry import PointChunk
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.kernels import quantised
+from lispac.survey.source import printable
 
 STEP = 1e-4
 """Metres in which coordinates are stored: a cloud gives the scanner's points back to 0.1 mm."""
@@ -64,15 +65,15 @@ class Pattern:
         Version, point format, time type and records besides the points; no coordinate system yet.
     columns : mapping of str to (str, int or None)
         For each dimension the column of the source and which part of it, where it has several.
-    notes : tuple of str
-        What is not kept, in words.
+    notes : tuple of Message
+        What is not kept.
     constants : mapping of str to int
         Dimensions that are the same for all points.
     """
 
     header: laspy.LasHeader
     columns: Mapping[str, tuple[str, int | None]]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     constants: Mapping[str, int] = field(default_factory=dict)
 
 
@@ -126,16 +127,13 @@ def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
             header = deepcopy(reader.header)
     except (LaspyException, LazrsError, OSError, ValueError) as failure:
         raise damaged(path, "LAS or LAZ", failure) from failure
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     names = list(header.point_format.dimension_names)
     if all(name in names for name in WAVEFORMS):
         header.global_encoding.waveform_data_packets_internal = False
         header.global_encoding.waveform_data_packets_external = False
         header.start_of_waveform_data_packet_record = 0
-        notes = (
-            f"{(shown or path).name}: the points' references to waveforms are kept, the waveforms "
-            "themselves are not; their directions stay those of the source",
-        )
+        notes = (note("export.waveforms", file=printable((shown or path).name)),)
     for records in (header.vlrs, header.evlrs or []):
         records[:] = [record for record in records if not _is_of_the_file(record)]
     header.creation_date = date.today()
@@ -164,14 +162,14 @@ def pattern_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Pat
     """
     columns: dict[str, tuple[str, int | None]] = {}
     extra: list[laspy.ExtraBytesParams] = []
-    notes: list[str] = []
+    notes: list[Message] = []
     taken: set[str] = {*STANDARD, *PLACED}
     for name, values in chunk.extra.items():
         if name in STANDARD and _fits(name, values):
             columns[name] = (name, None)
             continue
         if values.dtype.kind not in "iufb" or values.dtype.itemsize > 8 or values.ndim > 2:
-            notes.append(f"the column {name} is neither numbers nor flags and is left out")
+            notes.append(note("export.column_excluded", column=name))
             continue
         if name == "intensity" and values.ndim == 1:
             columns["intensity"] = (name, None)

@@ -26,8 +26,8 @@ from lispac.io.points import (
     sniffer,
 )
 from lispac.io.records import Columns, Records, finding, points_of, require_axes, stored
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
-from lispac.messages import error
+from lispac.io.registry import NOT, SURE, Choice, Fact, Finding, Format, PointChunk
+from lispac.messages import error, note
 
 TYPES = {
     ("I", 1): "<i1", ("I", 2): "<i2", ("I", 4): "<i4", ("I", 8): "<i8",
@@ -122,10 +122,10 @@ def _header(path: Path) -> tuple[Records, str]:
     if count < 0:
         raise InputError(error("pcd.point_count", file=str(path), header=count))
     require_axes(path, dtype.names or ())
-    facts = {"format": f"PCD, {kind.replace('_', ' ')}"}
+    facts: dict[str, Fact] = {"format": f"PCD, {kind}"}
     view = entries.get("VIEWPOINT", [])
     if view and view != ["0", "0", "0", "1", "0", "0", "0"]:
-        facts["viewpoint"] = " ".join(view)[:100] + " (stated, not applied)"
+        facts["viewpoint"] = note("fact.viewpoint", values=" ".join(view)[:100])
     records = Records(path, dtype, count, start, kind == "ascii", facts)
     return _unpacked_count(records) if kind == "binary_compressed" else records.counted(), kind
 
@@ -236,4 +236,13 @@ def _lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
     return o
 
 
-PCD = Format("PCD", "pcd", "points", (".pcd",), (TIME_FIELD, TIME_UNIT, *PLACE), sniff, look, read)
+PCD = Format(
+    note("format.pcd"),
+    "pcd",
+    "points",
+    (".pcd",),
+    (TIME_FIELD, TIME_UNIT, *PLACE),
+    sniff,
+    look,
+    read,
+)

@@ -8,6 +8,7 @@ import numpy as np
 from lispac.io.plane_file import COLUMNS, read_table
 from lispac.io.points import (
     PLACE,
+    SCANNER_COLUMNS,
     place_facts,
     require_filled,
     require_points,
@@ -18,7 +19,7 @@ from lispac.io.points import (
 )
 from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import warning
+from lispac.messages import note, warning
 from lispac.survey.source import printable
 
 PARTS = {
@@ -55,16 +56,14 @@ def look(path: Path, choice: Choice) -> Finding:
     settled = PLANES.settled(choice)
     seen = sight(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
-        "format": "plane file, 25 columns",
-        "points": f"{len(rows):,}",
+        "format": note("fact.planes"),
+        "points": len(rows),
         **place_facts(settled),
         "time base": time_base(rows[:, 4], settled["time_base"]),
         **seen.facts,
-        "assumed": "LiDAR coordinates are taken, the local ones and the POS states go along; "
-        "points and trajectory share one time base",
     }
-    of_one_target = warning("points.of_one_target", file=file)
-    return Finding(facts, table(NAMES, tuple(rows.T)), {}, (of_one_target, *seen.doubts))
+    doubts = (warning("points.of_one_target", file=file), *seen.doubts)
+    return Finding(facts, table(NAMES, tuple(rows.T)), {}, doubts, SCANNER_COLUMNS)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -83,4 +82,4 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     yield PointChunk(rows[:, 5:8] * scale, rows[:, 4].copy(), extra, len(rows))
 
 
-PLANES = Format("Plane file (25 columns)", "planes", "points", (".txt",), PLACE, sniff, look, read)
+PLANES = Format(note("format.planes"), "planes", "points", (".txt",), PLACE, sniff, look, read)

@@ -22,8 +22,8 @@ from lispac.io.points import (
     sniffer,
 )
 from lispac.io.records import Records, finding, points_of, require_axes, stored
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
-from lispac.messages import error
+from lispac.io.registry import NOT, SURE, Choice, Fact, Finding, Format, PointChunk
+from lispac.messages import error, note
 
 TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),
@@ -102,7 +102,7 @@ def _header(path: Path) -> Records:
         dtype = _dtype(path, name, properties, ORDERS[order])
         if name == "vertex":
             require_axes(path, dtype.names or ())
-            facts = {"format": f"PLY, {order.replace('_', ' ')}"}
+            facts: dict[str, Fact] = {"format": f"PLY, {order}"}
             if comments:
                 facts["comments"] = "; ".join(comments)[:500]
             records = Records(path, dtype, count, start, order == "ascii", facts)
@@ -164,4 +164,13 @@ def _after_lines(path: Path, start: int, count: int) -> int:
         return file.tell()
 
 
-PLY = Format("PLY", "ply", "points", (".ply",), (TIME_FIELD, TIME_UNIT, *PLACE), sniff, look, read)
+PLY = Format(
+    note("format.ply"),
+    "ply",
+    "points",
+    (".ply",),
+    (TIME_FIELD, TIME_UNIT, *PLACE),
+    sniff,
+    look,
+    read,
+)

@@ -12,8 +12,10 @@ from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError, LispacError, system_reason
 from lispac.io.files import kind_of_file, require_file
-from lispac.io.registry import NOT, Choice, Option, PointChunk
-from lispac.messages import Action, Message, error, warning
+from lispac.io.registry import NOT, SAME_TIME_BASE, Choice, Fact, Option, PointChunk
+from lispac.io.units import LENGTH_NAMES
+from lispac.language import N_
+from lispac.messages import Action, Message, error, note, warning
 from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
 from lispac.survey.screening import LARGEST, LARGEST_TIME
 from lispac.survey.source import RESTART
@@ -33,42 +35,56 @@ HEAD = 65_536
 
 SCANNER, GEOREFERENCED = "scanner", "georeferenced"
 FRAME = Option(
-    "frame", "What the coordinates refer to: the scanner, or the map", (SCANNER, GEOREFERENCED),
-    SCANNER,
+    "frame", N_("Frame of the coordinates: that of the scanner, or the map."),
+    (SCANNER, GEOREFERENCED), SCANNER,
 )  # fmt: skip
 SCANNER_UNITS = UNITS | {
     "millimetre": 1e-3, "centimetre": 1e-2, "kilometre": 1e3, "inch": 0.3048 / 12,
     "yard": 3 * 0.3048, "fathom": 6 * 0.3048,
 }  # fmt: skip
-UNIT = Option("unit", "Unit of scanner-frame coordinates", tuple(SCANNER_UNITS), "metre")
-CRS = Option("crs", "Coordinate system of georeferenced points: EPSG code, EPSG:32619 say, or WKT")
+UNIT = Option(
+    "unit", N_("Unit of coordinates in the scanner frame."), tuple(SCANNER_UNITS), "metre"
+)
+CRS = Option(
+    "crs", N_("Coordinate system of georeferenced points: EPSG code, such as EPSG:32619, or WKT.")
+)
 HEIGHT = Option(
-    "height", "What heights are counted from: ellipsoid, EPSG code of a vertical system, path of a "
-    "geoid grid, or metres to be added with their sign; empty: as the coordinate system says",
-)  # fmt: skip
+    "height",
+    N_(
+        "Vertical reference: ellipsoid, EPSG code of a vertical system, path of a geoid grid, or "
+        "metres to be added, with their sign. Empty: as in the coordinate system."
+    ),
+)
 HEIGHT_UNIT = Option(
-    "height_unit", "Unit of heights; empty: as the coordinate system says", ("", *UNITS)
+    "height_unit", N_("Unit of heights. Empty: as in the coordinate system."), ("", *UNITS)
 )
 DATUM = Option(
-    "trajectory_datum", "Geographic system of the trajectory, EPSG:7912 say; empty: as the points"
+    "trajectory_datum",
+    N_("Geographic system of the trajectory, such as EPSG:7912. Empty: that of the points."),
 )
-EPOCH = Option("epoch", "Date of the survey as a decimal year, where datums drift apart")
-TIME_BASE = Option("time_base", "What the times count; empty: as the file says", ("", *KEYS))
+EPOCH = Option(
+    "epoch", N_("Date of the survey as a decimal year, where the datums move against each other.")
+)
+TIME_BASE = Option("time_base", N_("Time base. Empty: as in the file."), ("", *KEYS))
 TIMES_RESTART = Option(
-    RESTART, "Where times start again at zero within the line; empty: found by the times",
+    RESTART, N_("Where the times of the line restart at zero. Empty: detected from the times."),
     ("", *KEYS_OF_RESTART),
 )  # fmt: skip
 WITHHELD = Option(
-    "withheld", "Points with the withheld flag: excluded or used", ("exclude", "keep"), "exclude"
-)
+    "withheld", N_("Points with the withheld flag: exclude or use them."), ("exclude", "keep"),
+    "exclude",
+)  # fmt: skip
 EXCLUDE_CLASSES = Option(
-    "exclude_classes", "Classes of points to exclude, 7 18 for noise; empty: none"
+    "exclude_classes", N_("Classes of points to exclude, such as 7 18 for noise. Empty: none.")
 )
 ONLY = Option(
-    "only", "Use only points with these attributes, scanner_channel=0 or time=1200:1260 for "
-    "example; empty: all",
-)  # fmt: skip
-MAX_RANGE = Option("max_range", "Largest range of the scanner in metres; empty: 10000")
+    "only",
+    N_(
+        "Use only points with these attributes, such as scanner_channel=0 or time=1200:1260. "
+        "Empty: all points."
+    ),
+)
+MAX_RANGE = Option("max_range", N_("Largest range of the scanner in metres. Empty: 10000."))
 PLACE = (
     FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART, WITHHELD,
     EXCLUDE_CLASSES, ONLY, MAX_RANGE,
@@ -79,8 +95,10 @@ SECONDS = {
     "second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9,
     "minute": 60.0, "hour": 3600.0,
 }  # fmt: skip
-TIME_FIELD = Option("time_field", "Name of the field with the time; empty: by the usual names")
-TIME_UNIT = Option("time_unit", "Unit of the time", tuple(SECONDS), "second")
+TIME_FIELD = Option(
+    "time_field", N_("Name of the field with the time. Empty: one of the usual names.")
+)
+TIME_UNIT = Option("time_unit", N_("Unit of the time."), tuple(SECONDS), "second")
 TIME_NAMES = (
     "time", "gps_time", "gpstime", "timestamp", "time_stamp", "t", "scalar_gpstime",
     "scalar_gps_time", "scalar_time", "scalar_timestamp",
@@ -96,6 +114,10 @@ USE_FEET = (
     Action("use_feet", {"name": UNIT.name, "value": "foot"}),
     Action("use_us_survey_feet", {"name": UNIT.name, "value": "us-survey-foot"}),
 )
+SCANNER_COLUMNS = (
+    note("assumed.scanner_coordinates"), note("assumed.other_columns_kept"), SAME_TIME_BASE,
+)  # fmt: skip
+"""Assumptions about files with coordinates in several frames."""
 NO_SYSTEM = "points.no_system"
 """Code of the warning that a file states no coordinate system."""
 
@@ -141,15 +163,16 @@ def scale_of(choice: Choice) -> float:
     return SCANNER_UNITS[choice[UNIT.name]] if choice[FRAME.name] == SCANNER else 1.0
 
 
-def place_facts(choice: Choice) -> dict[str, str]:
-    """Frame and unit of settled options, in words."""
+def place_facts(choice: Choice) -> dict[str, Fact]:
+    """Frame and unit of settled options."""
     if choice[FRAME.name] == SCANNER:
-        unit = choice[UNIT.name]
+        metres = SCANNER_UNITS[choice[UNIT.name]]
+        unit = LENGTH_NAMES[metres]
         return {
-            "frame": "scanner (LiDAR) frame",
-            "unit": unit if SCANNER_UNITS[unit] == 1.0 else f"{unit}, turned into metres",
+            "frame": note("fact.scanner_frame"),
+            "unit": unit if metres == 1.0 else note("fact.converted_unit", unit=unit),
         }
-    return {"frame": "georeferenced", "unit": "of the coordinate system"}
+    return {"frame": note("fact.georeferenced"), "unit": note("fact.unit_of_system")}
 
 
 @contextmanager
@@ -327,12 +350,12 @@ def coarseness(time: NDArray[Any], seconds: float = 1.0) -> float:
     return float(np.spacing(np.float32(np.max(np.abs(finite))))) * seconds
 
 
-def time_base(time: NDArray[np.float64], stated: str) -> str:
+def time_base(time: NDArray[np.float64], stated: str) -> Message:
     """Base of ``time`` (n,), seconds: as stated, or those that fit; the trajectory decides."""
     if stated:
-        return f"{base_of(stated).name}, stated"
-    fitting = " or ".join(base.name for base in plausible(time))
-    return f"not stated; the values fit {fitting}" if fitting else "not stated"
+        return note("fact.time_base_specified", base=base_message(base_of(stated)))
+    fitting = tuple(map(base_message, plausible(time)))
+    return note("fact.time_bases_fitting", bases=fitting) if fitting else note("fact.not_specified")
 
 
 def base_doubts(time: NDArray[np.float64], stated: str, file: str) -> tuple[Message, ...]:

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.exail import default_unit, unstated
-from lispac.io.registry import LIKELY, NOT, SURE, Choice, Finding
+from lispac.io.registry import LIKELY, NOT, SURE, Choice, Fact, Finding
 from lispac.io.text_table import fields_of, first_lines, is_data, lines_of
 from lispac.io.trajectory_columns import (
     Column,
@@ -28,7 +28,7 @@ from lispac.io.trajectory_columns import (
 from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import unit_of
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"POS Export Utility|Applanix|POSPac|POSPROC", re.IGNORECASE)
@@ -96,7 +96,7 @@ def pospac_layout(path: Path) -> TextLayout:
                 error("trajectory.pospac_notation", file=str(path), column=name.lower())
             )
         columns.append(Column(role, index, name, unit))
-    facts = {"Header": "POSPac text export"}
+    facts: dict[str, Fact] = {"Header": note("fact.pospac")}
     for line in lines[:start]:
         key, colon, value = line.strip().partition(":")
         if colon and key.strip() in _FACTS and value.strip():
@@ -144,10 +144,11 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = pospac_layout(path)
-    header = "POSPac text: columns and units by the header"
-    assumptions: tuple[str | Message, ...] = (header, *layout.doubts)
+    header = note("assumed.header_columns", format=note("format.pospac"))
     conventions = _conventions(layout, choice)
-    return trajectory_of(path, pospac_rows(path), layout.columns, conventions, assumptions)
+    return trajectory_of(
+        path, pospac_rows(path), layout.columns, conventions, (header, *layout.doubts)
+    )
 
 
 def look_pospac_accuracy(path: Path, choice: Choice) -> Finding:

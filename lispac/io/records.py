@@ -23,9 +23,10 @@ from lispac.io.points import (
     time_base,
     usable_points,
 )
-from lispac.io.registry import Choice, Finding, Format, PointChunk
+from lispac.io.registry import SAME_TIME_BASE, Choice, Fact, Finding, Format, PointChunk
 from lispac.io.sight import sight
-from lispac.messages import Message, error, warning
+from lispac.io.units import TIME_UNIT_NAMES
+from lispac.messages import Message, error, note, warning
 from lispac.survey.screening import LARGEST as LARGEST_COORDINATE
 from lispac.survey.source import printable
 
@@ -48,7 +49,7 @@ class Records:
         Byte at which they begin.
     ascii : bool
         Whether they are text, one point a row.
-    facts : mapping of str to str
+    facts : mapping of str to Fact
         What else the header says.
     messages : tuple of Message
         Warnings about the number of points.
@@ -59,7 +60,7 @@ class Records:
     count: int
     start: int
     ascii: bool
-    facts: Mapping[str, str]
+    facts: Mapping[str, Fact]
     messages: tuple[Message, ...] = ()
 
     def counted(self, after: int = 0) -> "Records":
@@ -241,16 +242,21 @@ def finding(format_: Format, columns: Columns, choice: Choice, records: Records)
     return Finding(
         {
             **records.facts,
-            "points": f"{count:,}",
+            "points": count,
             **place_facts(settled),
             "time base": time_base(chunk.time, str(choice["time_base"])),
             **seen.facts,
             "fields": ", ".join(first),
-            "assumed": f"{field} is the time in {choice['time_unit']}s; "
-            "points and trajectory share one time base",
         },
         table(tuple(first), tuple(first.values())),
         found,
         (*doubts, *base_doubts(chunk.time, str(choice["time_base"]), file)),
-        messages=records.messages,
-    )
+        (
+            note(
+                "assumed.time_field", field=field,
+                unit=TIME_UNIT_NAMES[SECONDS[choice["time_unit"]]],
+            ),
+            SAME_TIME_BASE,
+        ),
+        records.messages,
+    )  # fmt: skip

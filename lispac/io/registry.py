@@ -14,12 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Kind = Literal["trajectory", "accuracy", "points"]
 Choice = Mapping[str, Any]
 """Options by name, as the user or a detection has settled them."""
+Fact = str | int | Message
+"""What a look finds in a file: a text of the file itself, a count, or a message."""
+SAME_TIME_BASE = note("assumed.same_time_base")
 
 SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
 """How sure a format is of a file: its magic or structure fits it alone; structure and values fit;
@@ -35,7 +38,7 @@ class Option:
     name : str
         As in the project file and at the command line.
     meaning : str
-        One sentence for the dialogue.
+        One sentence for the dialogue, marked for translation.
     choices : tuple of str
         What may be chosen; empty where it is free text (a column mapping, say).
     default : str
@@ -54,7 +57,7 @@ class Finding:
 
     Attributes
     ----------
-    facts : mapping of str to str
+    facts : mapping of str to Fact
         For the preview: header entries, counts, spans, frame, unit, time base.
     rows : tuple of tuple of str
         First rows, the names of the columns at the head.
@@ -62,17 +65,17 @@ class Finding:
         Options as detected.
     doubts : tuple of Message
         Warnings about how the file is read, to be checked before importing.
-    assumptions : tuple of str or Message
+    assumptions : tuple of Message
         What the reader assumes with these options: frame, unit, signs, time base.
     messages : tuple of Message
         Warnings and notes about the content of the file.
     """
 
-    facts: Mapping[str, str]
+    facts: Mapping[str, Fact]
     rows: tuple[tuple[str, ...], ...] = ()
     choice: Choice = None  # type: ignore[assignment]
     doubts: tuple[Message, ...] = ()
-    assumptions: tuple[str | Message, ...] = ()
+    assumptions: tuple[Message, ...] = ()
     messages: tuple[Message, ...] = ()
 
     def __post_init__(self) -> None:
@@ -107,8 +110,8 @@ class Format:
 
     Attributes
     ----------
-    name : str
-        As in the dialogue: ``Applanix SBET``.
+    name : Message
+        As in the dialogue: Applanix SBET.
     key : str
         As in the project file and at the command line: ``sbet``.
     kind : {"trajectory", "accuracy", "points"}
@@ -128,7 +131,7 @@ class Format:
         knows a way that does not read all before it.
     """
 
-    name: str
+    name: Message
     key: str
     kind: Kind
     endings: tuple[str, ...]

@@ -9,22 +9,20 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.files import read_records, require_file, require_increasing, written_whole
+from lispac.io.registry import SAME_TIME_BASE
 from lispac.io.trajectory_checks import require_attitude, require_base, require_heights
-from lispac.messages import error
+from lispac.io.trajectory_columns import sign_note
+from lispac.messages import Message, error, note
 from lispac.survey.states_between import attitude_rates
 from lispac.survey.time_base import base_of, plausible, unrolled
+from lispac.survey.time_stated import base_message
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
 SMRMSG_RECORD = 80
 """Bytes."""
-SHARED_BASE = "SBET times and point times share one time base"
-ASSUMPTIONS = (
-    "SBET after Applanix: North-East-Down, roll positive starboard down, pitch positive bow up "
-    "(its sign is turned here), true heading = platform heading - wander angle",
-    SHARED_BASE,
-)
+ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
 
 
 @dataclass(frozen=True)
@@ -40,38 +38,40 @@ class SbetOptions:
     order: str = "latitude-longitude"
     byte_order: str = "little-endian"
 
-    def words(self) -> tuple[str, ...]:
-        """Each of them in a sentence."""
-        wander = "less the wander angle" if self.heading == "minus-wander" else "as it is"
-        velocities = (
-            "velocities are taken in the axes that fit the positions best"
-            if self.axes == "unknown"
-            else f"the axes of the velocities are {AXES[self.axes]}"
-        )
+    def assumptions(self) -> tuple[Message, ...]:
+        """A note on each of them."""
         return (
-            f"SBET: true heading is the platform heading {wander}",
-            f"roll is positive {self.roll.replace('-', ' ')}"
-            + (" (its sign is turned here)" if self.roll == "port-down" else ""),
-            f"pitch is positive {self.pitch.replace('-', ' ')}"
-            + (" (its sign is turned here)" if self.pitch == "bow-up" else ""),
-            velocities,
-            f"times are {base_of(self.time).name}",
-            f"angles are in {self.unit}, positions are {self.order.replace('-', ' before ')}, "
-            f"numbers are {self.byte_order}",
-            "heights are above the ellipsoid; the datum is not stated in the file",
+            note(_HEADINGS[self.heading]),
+            sign_note(self.roll),
+            sign_note(self.pitch),
+            note("assumed.fitting_velocity_axes")
+            if self.axes == "unknown"
+            else note("assumed.velocity_axes", axes=AXES[self.axes]),
+            note("assumed.time_base", base=base_message(base_of(self.time))),
+            note(_UNITS[self.unit]),
+            note(_ORDERS[self.order]),
+            note(_BYTE_ORDERS[self.byte_order]),
+            note("assumed.ellipsoidal_heights"),
         )
 
 
-AXES = {
-    "unknown": "unknown",
-    "wander-nwu": "x along the wander azimuth, y to its left, z up",
-    "wander-ned": "x along the wander azimuth, y to its right, z down",
-    "ned": "north, east, down",
-    "enu": "east, north, up",
-    "nwu": "north, west, up",
-    "neu": "north, east, up",
+_HEADINGS = {"minus-wander": "assumed.heading_less_wander", "as-is": "assumed.heading_as_is"}
+_UNITS = {"radians": "assumed.angles_in_radians", "degrees": "assumed.angles_in_degrees"}
+_ORDERS = {
+    "latitude-longitude": "assumed.latitude_first",
+    "longitude-latitude": "assumed.longitude_first",
 }
-"""Velocity axes by their key."""
+_BYTE_ORDERS = {"little-endian": "assumed.little_endian", "big-endian": "assumed.big_endian"}
+"""Codes of the notes by the value of an option."""
+AXES = {
+    "wander-nwu": note("axes.wander_nwu"),
+    "wander-ned": note("axes.wander_ned"),
+    "ned": note("axes.ned"),
+    "enu": note("axes.enu"),
+    "nwu": note("axes.nwu"),
+    "neu": note("axes.neu"),
+}
+"""Names of the axes of the velocities, by the option."""
 
 
 def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
@@ -97,9 +97,9 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     time, latitude, longitude, height = records[:, :4].T
     roll, pitch, heading, wander = records[:, 7:11].T
     time, starts = unrolled(time)
-    assumptions: tuple[str, ...] = ASSUMPTIONS if options is None else options.words()
+    assumptions = ASSUMPTIONS if options is None else options.assumptions()
     if starts:
-        assumptions += _STARTED_AGAIN
+        assumptions += (note("assumed.time_rollover", count=starts),)
     require_increasing(time, path, "SBET")
     if options is not None:
         require_base(path, time, base_of(options.time))
@@ -179,7 +179,7 @@ def _with_velocity(
     trajectory: Trajectory, velocity: Array, wander: Array, chosen: SbetOptions
 ) -> Trajectory:
     """The trajectory with velocities in the axes stated, or those that fit the positions best."""
-    keys = [chosen.axes] if chosen.axes != "unknown" else [key for key in AXES if key != "unknown"]
+    keys = [chosen.axes] if chosen.axes != "unknown" else list(AXES)
     some = slice(0, COMPARED)
     place = LocalFrame(
         float(trajectory.latitude[0]), float(trajectory.longitude[0]), float(trajectory.height[0])
@@ -195,11 +195,6 @@ def _with_velocity(
 
     best = min(keys, key=misfit) if len(keys) > 1 else keys[0]
     return replace(trajectory, velocity=local(best))
-
-
-_STARTED_AGAIN = (
-    "times start again at midnight or at the end of the week and are counted on from there",
-)
 
 
 def _require_on_earth(

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.files import kind_of_file, require_file
+from lispac.io.registry import Fact
 from lispac.io.sbet import SbetOptions
 from lispac.io.sbet_motion import signs_of, velocity_frame
 from lispac.io.trajectory_facts import Motion, course_doubts, facts_of, motion_of, time_doubts
-from lispac.messages import Message, error, warning
+from lispac.messages import Message, error, note, warning
 from lispac.survey.source import printable
 from lispac.survey.time_base import plausible, unrolled
 
@@ -44,7 +45,7 @@ class Detection:
     """
 
     options: SbetOptions
-    facts: dict[str, str]
+    facts: dict[str, Fact]
     doubts: tuple[Message, ...]
     head: Array
 
@@ -166,7 +167,7 @@ def detect_sbet(path: Path) -> Detection:
                 record=RECORD, rest=size % RECORD,
             )
         )  # fmt: skip
-    facts = {"Records": f"{count:,}"}
+    facts: dict[str, Fact] = {"Records": count}
     sound = [block[np.isfinite(block).all(axis=1)] for block in blocks]
     lost = sum(len(block) for block in blocks) - sum(len(block) for block in sound)
     if lost:
@@ -184,7 +185,7 @@ def detect_sbet(path: Path) -> Detection:
 def _examined(
     blocks: list[Array],
     options: SbetOptions,
-    facts: dict[str, str],
+    facts: dict[str, Fact],
     doubts: list[Message],
     head: Array,
     time: Array,
@@ -211,8 +212,8 @@ def _examined(
     latitude, longitude, height = table[:, 1:4].T
     speed = np.concatenate([own.speed for own, _ in motions])
     facts.update(facts_of(unrolled(time)[0], latitude, longitude, height, speed))
-    wander = np.degrees(table[:, 10])
-    facts["Wander angle"] = f"{wander.min():.4f} to {wander.max():.4f} deg"
+    wander = table[:, 10]
+    facts["Wander angle"] = note("fact.angles", low=wander.min(), high=wander.max())
     doubts += time_doubts(unrolled(time)[0], options.time, file)
     if options.order == "latitude-longitude":
         headings = [

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.io.sbet import AXES, SbetOptions, in_frame
+from lispac.io.trajectory_columns import SIGN_NAMES
 from lispac.io.trajectory_facts import MOVING, SHORTEST_STEP, Motion, wrapped
 from lispac.messages import Action, Message, note, warning
 
@@ -24,38 +25,34 @@ FITTING, APART = 0.02, 3.0
 SMALLEST_WANDER = 1e-4
 """Radians below which a wander angle changes nothing."""
 
-_AXES_CODES = {
-    "wander-nwu": "axes.wander_nwu", "wander-ned": "axes.wander_ned", "ned": "axes.ned",
-    "enu": "axes.enu", "nwu": "axes.nwu", "neu": "axes.neu",
-}  # fmt: skip
-"""Code of the message that names velocity axes, by their key."""
-_SIGN_CODES = {
-    ("roll", "starboard-down"): "sign.roll_starboard_down",
-    ("roll", "port-down"): "sign.roll_port_down",
-    ("pitch", "bow-up"): "sign.pitch_bow_up",
-    ("pitch", "bow-down"): "sign.pitch_bow_down",
-}
-"""Code of the message that names the sign of an angle, by the angle and its option."""
-
 
 def velocity_frame(
     blocks: Sequence[Array],
     motions: Sequence[tuple[Motion, Motion]],
     options: SbetOptions,
     file: str,
-) -> tuple[SbetOptions, str, list[Message]]:
-    """Frame of the velocities and what follows from it, by comparison with the positions."""
+) -> tuple[SbetOptions, Message, list[Message]]:
+    """Frame of the velocities and what follows from it, by comparison with the positions.
+
+    Returns
+    -------
+    SbetOptions
+    Message
+        The fact about the velocities.
+    list of Message
+        Warnings.
+    """
     velocity, wander, own, exchanged = _moving(blocks, motions)
     turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
     has_wander = turns >= SMALLEST_WANDER
     unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
     if not any(np.any(block[:, 4:7]) for block in blocks):
-        return options, "all zero", [warning("sbet.zero_velocities", file=file), *unchecked]
+        zero = warning("sbet.zero_velocities", file=file)
+        return options, note("fact.velocities_zero"), [zero, *unchecked]
     if len(velocity) < 20:
-        return options, "not checked", [warning("sbet.too_slow", file=file), *unchecked]
-    misfits = {
-        key: _misfit(in_frame(key, velocity, wander), own) for key in AXES if key != "unknown"
-    }
+        slow = warning("sbet.too_slow", file=file)
+        return options, note("fact.velocities_not_checked"), [slow, *unchecked]
+    misfits = {key: _misfit(in_frame(key, velocity, wander), own) for key in AXES}
     swapped = min(_misfit(in_frame(key, velocity, wander), exchanged) for key in misfits)
     best = min(misfits, key=lambda key: misfits[key])
     if misfits[best] > FITTING:
@@ -66,11 +63,11 @@ def velocity_frame(
             order = warning("sbet.longitude_first_by_velocity", file=file)
             return chosen, fact, [order, *found]
         disagree = warning(
-            "sbet.velocities_disagree", file=file, axes=note(_AXES_CODES[best]),
-            share=misfits[best],
+            "sbet.velocities_disagree", file=file, axes=AXES[best], share=misfits[best],
         )  # fmt: skip
-        return options, "agree with the positions in no known frame", [disagree, *unchecked]
-    fact = f"{AXES[best]} (agree with the positions to {100 * misfits[best]:.2g} % of the speed)"
+        return options, note("fact.velocities_in_no_frame"), [disagree, *unchecked]
+    share = misfits[best]
+    fact = note("fact.velocity_axes", axes=AXES[best], share=share)
     chosen = replace(options, axes=best)
     limit = max(APART * misfits[best], misfits[best] + 0.003)
     rivals = [key for key in misfits if key != best and misfits[key] < limit]
@@ -79,11 +76,12 @@ def velocity_frame(
     if turns < SMALLEST_WANDER:
         # Without a wander angle its frames are those counted from north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
-        chosen, fact = replace(chosen, axes=plain[0]), fact.replace(AXES[best], AXES[plain[0]])
+        chosen = replace(chosen, axes=plain[0])
+        fact = note("fact.velocity_axes", axes=AXES[plain[0]], share=share)
         rivals = plain[1:]
         if not rivals:
             return chosen, fact, []
-    others = tuple(note(_AXES_CODES[key]) for key in rivals)
+    others = tuple(AXES[key] for key in rivals)
     several = warning("sbet.several_axes", file=file, axes=others)
     return chosen, fact, [several, *unchecked]
 
@@ -93,9 +91,9 @@ def _heading_of(
     blocks: Sequence[Array],
     motions: Sequence[tuple[Motion, Motion]],
     turns: float,
-    fact: str,
+    fact: Message,
     file: str,
-) -> tuple[SbetOptions, str, list[Message]]:
+) -> tuple[SbetOptions, Message, list[Message]]:
     """Settle the heading by a velocity frame without rivals, where there is a wander angle."""
     if chosen.axes.startswith("wander"):
         return replace(chosen, heading="minus-wander"), fact, []
@@ -157,7 +155,7 @@ def _misfit(velocity: Array, truth: Array) -> float:
 
 def signs_of(
     blocks: Sequence[Array], options: SbetOptions, file: str
-) -> tuple[SbetOptions, str, list[Message]]:
+) -> tuple[SbetOptions, Message, list[Message]]:
     """Signs of roll and pitch by the angular rates of the body.
 
     A positive rate about the forward axis takes the starboard side down whether y is to starboard
@@ -167,31 +165,28 @@ def signs_of(
     check = (Action("check_sign", {"name": "pitch"}),)
     if not any(np.any(block[:, 14:17]) for block in blocks):
         zero = warning("sbet.zero_rates", file=file, actions=check)
-        return options, "signs not checked", [zero]
+        return options, note("fact.signs_not_checked"), [zero]
     roll, pitch, heading = (_agreement(blocks, 7 + k, 14 + k) for k in range(3))
-    facts, signs, doubts = [], [], []
+    signs, doubts = [], []
     if roll is not None:
         options = replace(options, roll="starboard-down" if roll > 0 else "port-down")
-        facts.append(f"roll positive {options.roll.replace('-', ' ')}")
-        signs.append(note(_SIGN_CODES["roll", options.roll]))
+
+        signs.append(SIGN_NAMES[options.roll])
     if pitch is not None and heading is not None:
         options = replace(options, pitch="bow-up" if pitch * heading > 0 else "bow-down")
-        facts.append(f"pitch positive {options.pitch.replace('-', ' ')}")
-        signs.append(note(_SIGN_CODES["pitch", options.pitch]))
-    if len(facts) < 2:
+
+        signs.append(SIGN_NAMES[options.pitch])
+    if len(signs) < 2:
         unknown = []
         if roll is None:
             unknown.append(note("quantity.roll"))
         if pitch is None or heading is None:
             unknown.append(note("quantity.pitch"))
         doubts.append(warning("sbet.signs_not_checked", file=file, angles=unknown, actions=check))
-    if facts and (options.roll == "port-down" or options.pitch == "bow-down"):
+    if signs and (options.roll == "port-down" or options.pitch == "bow-down"):
         doubts.append(warning("sbet.other_signs", file=file, signs=signs, actions=check))
-    return (
-        options,
-        ", ".join(facts) + " (by the angular rates)" if facts else "signs not checked",
-        doubts,
-    )
+    fact = note("fact.signs", signs=signs) if signs else note("fact.signs_not_checked")
+    return options, fact, doubts
 
 
 def _agreement(blocks: Sequence[Array], angle: int, rate: int) -> float | None:

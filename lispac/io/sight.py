@@ -16,7 +16,8 @@ from lispac.io.points import (
     SCANNER,
     coarseness,
 )
-from lispac.messages import Message, warning
+from lispac.io.registry import Fact
+from lispac.messages import Message, note, warning
 from lispac.survey.crs import ELLIPSOID, coordinate_system
 from lispac.survey.time_quality import time_quality
 from lispac.survey.time_restart import counted_on, restart_of
@@ -36,12 +37,12 @@ class Sight:
     Attributes
     ----------
     frame : str
-    facts : dict
+    facts : dict of str to Fact
     doubts : tuple of Message
     """
 
     frame: str
-    facts: dict[str, str]
+    facts: dict[str, Fact]
     doubts: tuple[Message, ...]
 
 
@@ -73,9 +74,11 @@ def sight(
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
     low = xyz.min(axis=0) if low is None else low
     high = xyz.max(axis=0) if high is None else high
-    facts = {
-        f"{axis} from, to": f"{low[i]:,.3f}, {high[i]:,.3f}" for i, axis in enumerate("xyz")
-    } | {"time from, to": f"{time.min():.6f}, {time.max():.6f} s (first {len(time):,} points)"}
+    facts: dict[str, Fact] = {
+        f"{axis} from, to": note("fact.interval", low=low[i], high=high[i])
+        for i, axis in enumerate("xyz")
+    }
+    facts["time from, to"] = note("fact.times", low=time.min(), high=time.max(), count=len(time))
     if len(xyz) >= MANY:  # single absurd points do not tell the frame
         distance = np.linalg.norm(xyz, axis=1)
         usual = xyz[(distance <= np.quantile(distance, TYPICAL)) & (distance > 0)]

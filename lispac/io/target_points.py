@@ -17,10 +17,10 @@ from lispac.io.points import (
     table,
     time_base,
 )
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
+from lispac.io.registry import NOT, SAME_TIME_BASE, SURE, Choice, Finding, Format, PointChunk
 from lispac.io.sight import sight
 from lispac.io.text_export import LINE_AND_TIME, SCANNER_NAMES
-from lispac.messages import error, warning
+from lispac.messages import error, note, warning
 from lispac.survey.source import printable
 
 FIRST_LIDAR = 5
@@ -49,16 +49,15 @@ def look(path: Path, choice: Choice) -> Finding:
     settled = TARGETS.settled(choice)
     seen = sight(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
-        "format": "target as CSV",
-        "points": f"{len(chunk.time):,}",
+        "format": note("fact.target"),
+        "points": len(chunk.time),
         **place_facts(settled),
         "time base": time_base(chunk.time, settled["time_base"]),
         **seen.facts,
-        "assumed": "LiDAR coordinates are taken; points and trajectory share one time base",
     }
     rows = table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
-    of_one_target = warning("points.of_one_target", file=file)
-    return Finding(facts, rows, {}, (of_one_target, *seen.doubts))
+    doubts = (warning("points.of_one_target", file=file), *seen.doubts)
+    return Finding(facts, rows, {}, doubts, (note("assumed.scanner_coordinates"), SAME_TIME_BASE))
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -114,4 +113,4 @@ def _read(path: Path) -> PointChunk:
     return PointChunk(xyz, values[:, 0].copy(), extra, len(rows))
 
 
-TARGETS = Format("Target (CSV)", "target", "points", (".csv",), PLACE, sniff, look, read)
+TARGETS = Format(note("format.target"), "target", "points", (".csv",), PLACE, sniff, look, read)

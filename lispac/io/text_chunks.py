@@ -32,7 +32,18 @@ from lispac.io.points import (
     time_base,
     usable_points,
 )
-from lispac.io.registry import LIKELY, NOT, POSSIBLE, Choice, Finding, Format, Option, PointChunk
+from lispac.io.registry import (
+    LIKELY,
+    NOT,
+    POSSIBLE,
+    SAME_TIME_BASE,
+    Choice,
+    Fact,
+    Finding,
+    Format,
+    Option,
+    PointChunk,
+)
 from lispac.io.sight import sight
 from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
 from lispac.io.text_table import clock, is_clock
@@ -45,15 +56,20 @@ from lispac.io.text_units import (
     unit_doubts,
     unit_messages,
 )
-from lispac.messages import Message, error, warning
+from lispac.io.units import TIME_UNIT_NAMES
+from lispac.language import N_
+from lispac.messages import Message, error, note, warning
 from lispac.survey.source import printable
 
 COLUMNS = Option(
-    "columns", "Name of each column from the left, parted by blanks: time x y z are needed, - "
-    "passes a column over; empty: as the first row of the file says",
-)  # fmt: skip
-SEPARATOR = Option("separator", "What parts the columns", ("auto", *SEPARATORS), "auto")
-DECIMAL = Option("decimal", "Decimal sign", ("auto", "point", "comma"), "auto")
+    "columns",
+    N_(
+        "Names of the columns from the left, separated by blanks. time x y z are needed; - skips a "
+        "column. Empty: as in the first row of the file."
+    ),
+)
+SEPARATOR = Option("separator", N_("Separator of the columns."), ("auto", *SEPARATORS), "auto")
+DECIMAL = Option("decimal", N_("Decimal sign."), ("auto", "point", "comma"), "auto")
 BLOCK = 8 << 20  # bytes parsed at once
 GZIP, UTF16 = b"\x1f\x8b", (b"\xff\xfe", b"\xfe\xff")
 
@@ -94,11 +110,11 @@ def look(path: Path, choice: Choice) -> Finding:
         columns if len(columns) == len(shown[0]) else [f"{k}" for k in range(1, 1 + len(shown[0]))]
     )
     preview = tuple(tuple(row) for row in (head, *shown))
-    facts = {
-        "format": "text, gzipped" if _is_packed(path) else "text",
+    facts: dict[str, Fact] = {
+        "format": note("fact.text_gzipped" if _is_packed(path) else "fact.text"),
         "separator": settled["separator"],
         "decimal": settled["decimal"],
-        "columns": settled["columns"] or "not named",
+        "columns": settled["columns"] or note("fact.not_named"),
     }
     if not columns:
         not_named = warning("text.columns_not_named", file=file)
@@ -122,7 +138,6 @@ def look(path: Path, choice: Choice) -> Finding:
         **place_facts(settled),
         "time base": time_base(chunk.time, settled["time_base"]),
         **seen.facts,
-        "assumed": f"time in {settled['time_unit']}s; points and trajectory share one time base",
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
@@ -135,7 +150,11 @@ def look(path: Path, choice: Choice) -> Finding:
         actions = (CHOOSE_TIME_BASE,)
         doubts += (warning("times.clock_without_base", file=file, actions=actions),)
     messages = tuple(unit_messages(path, layout, choice))
-    return Finding(facts, preview, found, (*doubts, *seen.doubts), messages=messages)
+    assumptions = (
+        note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS[settled["time_unit"]]]),
+        SAME_TIME_BASE,
+    )
+    return Finding(facts, preview, found, (*doubts, *seen.doubts), assumptions, messages)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -384,6 +403,6 @@ def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
 
 
 TEXT = Format(
-    "Text (CSV, also .gz)", "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
+    note("format.text"), "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
     (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, look, read,
 )  # fmt: skip

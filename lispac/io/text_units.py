@@ -7,8 +7,8 @@ from lispac.errors import InputError
 from lispac.io.points import SCANNER_UNITS
 from lispac.io.registry import Choice
 from lispac.io.text_layout import BEAMS, TIME_BASES, Layout, bare_name, equal_columns
-from lispac.io.trajectory_grid import LENGTH_MESSAGES, LENGTHS
-from lispac.io.units import ANGLE_CODES, UNKNOWN, direction_of
+from lispac.io.trajectory_grid import LENGTHS
+from lispac.io.units import ANGLE_CODES, LENGTH_NAMES, UNKNOWN, direction_of
 from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
@@ -133,7 +133,7 @@ def unit_doubts(units: Mapping[str, str], crs: str, file: str) -> tuple[Message,
         return ()
     return (
         warning(
-            "points.unit_of_column", file=file, unit=LENGTH_MESSAGES[LENGTHS[unit]],
+            "points.unit_of_column", file=file, unit=LENGTH_NAMES[LENGTHS[unit]],
             system=system.name, system_unit=system.unit,
         ),
     )  # fmt: skip

@@ -24,8 +24,9 @@ from lispac.io.text_table import (
 from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
 from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, Length, grid_of, unit_of_heights
 from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN
-from lispac.messages import Message, error
+from lispac.messages import Level, Message, error, note
 from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
+from lispac.survey.time_stated import base_message
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
@@ -35,11 +36,11 @@ _NOTATIONS: dict[str, Callable[[str], float]] = {
 }  # fmt: skip
 PARSERS = {code: (_NOTATIONS.get(code, number), unit.si) for code, unit in UNITS.items()}
 PARSERS[UNSTATED] = number, 1.0
-UNIT_WORDS = {code: unit.words for code, unit in UNITS.items()}
+UNIT_NAMES = {code: unit.name for code, unit in UNITS.items()}
 for _unit in ANGLE_CODES:
-    for _way in ("west", "south"):
+    for _way, _code in (("west", "unit.positive_west"), ("south", "unit.positive_south")):
         PARSERS[f"{_unit}-{_way}"] = PARSERS[_unit][0], -PARSERS[_unit][1]
-        UNIT_WORDS[f"{_unit}-{_way}"] = f"{UNIT_WORDS[_unit]}, positive to the {_way}"
+        UNIT_NAMES[f"{_unit}-{_way}"] = Message(_code, Level.NOTE, {"unit": UNIT_NAMES[_unit]})
 PARSERS["hemisphere"] = hemisphere, 1.0
 PARSERS["hemisphere-fr"] = partial(hemisphere, o="W"), 1.0
 PARSERS["hemisphere-de"] = partial(hemisphere, o="E"), 1.0
@@ -111,22 +112,34 @@ class Conventions:
     heading: str = "true"
     crs: str = ""
 
-    def words(self) -> tuple[str, ...]:
-        """Each of them in a sentence."""
-        heading = (
-            "heading is clockwise from true north"
-            if self.heading == "true"
-            else "heading is clockwise from grid north (the meridian convergence is added here)"
-        )
-        turned = " (its sign is turned here)"
+    def assumptions(self) -> tuple[Message, ...]:
+        """A note on each of them."""
         return (
-            f"times are {base_of(self.time).name}",
-            f"roll is positive {self.roll.replace('-', ' ')}"
-            + (turned if self.roll == "port-down" else ""),
-            f"pitch is positive {self.pitch.replace('-', ' ')}"
-            + (turned if self.pitch == "bow-up" else ""),
-            heading,
+            note("assumed.time_base", base=base_message(base_of(self.time))),
+            sign_note(self.roll),
+            sign_note(self.pitch),
+            note("assumed.heading_true" if self.heading == "true" else "assumed.heading_grid"),
         )
+
+
+SIGN_NAMES = {
+    "starboard-down": note("sign.roll_starboard_down"),
+    "port-down": note("sign.roll_port_down"),
+    "bow-up": note("sign.pitch_bow_up"),
+    "bow-down": note("sign.pitch_bow_down"),
+}
+"""Names of the signs of roll and pitch, by their options."""
+_SIGN_CODES = {
+    "starboard-down": "assumed.roll_starboard_down",
+    "port-down": "assumed.roll_port_down",
+    "bow-up": "assumed.pitch_bow_up",
+    "bow-down": "assumed.pitch_bow_down",
+}
+
+
+def sign_note(sign: str) -> Message:
+    """The note on the sign of roll or pitch that is assumed, by its option."""
+    return note(_SIGN_CODES[sign])
 
 
 Rows = Iterator[tuple[int, list[str]]]
@@ -137,7 +150,7 @@ def trajectory_of(
     rows: Rows,
     columns: Sequence[Column],
     conventions: Conventions,
-    assumptions: tuple[str | Message, ...],
+    assumptions: tuple[Message, ...],
 ) -> Trajectory:
     """Read a trajectory from rows of fields.
 
@@ -166,17 +179,11 @@ def trajectory_of(
         latitude, longitude, convergence = grid.to_geodetic(
             path, values["easting"], values["northing"]
         )
-        notes += (
-            f"eastings and northings are in {conventions.crs}; latitude and longitude are on its "
-            "own datum",
-        )
+        notes += (note("assumed.grid_positions", system=conventions.crs),)
     height = values["height"] if "height" in values else values["sea_height"]
     require_heights(path, height, numbers)
     if "height" not in values:
-        notes += (
-            "heights are above sea level and taken as if above the ellipsoid: absolute heights "
-            "are off by the geoid height",
-        )
+        notes += (note("assumed.heights_above_sea"),)
     roll, pitch, heading = (values[role] for role in ATTITUDE)
     require_attitude(path, time, (roll, pitch, heading), numbers)
     attitude = np.stack(
@@ -188,18 +195,20 @@ def trajectory_of(
         axis=1,
     )
     units = tuple(
-        f"column {column.name} is in "
-        + (lengths[column.role].words if column.role in lengths else UNIT_WORDS[column.unit])
+        note(
+            "assumed.column_unit", column=column.name,
+            unit=lengths[column.role].name if column.role in lengths else UNIT_NAMES[column.unit],
+        )
         for column in chosen
         if column.role not in ("time", "date", *HEMISPHERES)
-    )
+    )  # fmt: skip
     return Trajectory(
         time,
         latitude,
         longitude,
         height,
         attitude,
-        assumptions + conventions.words() + notes + units,
+        assumptions + conventions.assumptions() + notes + units,
     )
 
 
@@ -228,15 +237,14 @@ def accuracy_of(
     return TrajectoryAccuracy(time, np.stack(table[:3], axis=1), np.stack(table[3:], axis=1))
 
 
-def missing_roles(columns: Sequence[Column]) -> list[str]:
-    """What a trajectory still lacks, in words."""
+def is_complete(columns: Sequence[Column]) -> bool:
+    """Whether columns hold all that a trajectory needs."""
     roles = {column.role for column in columns}
-    missing = [role for role in ("time", *ATTITUDE) if role not in roles]
-    if not roles & {"height", "sea_height"}:
-        missing.insert(1, "height")
-    if not (roles.issuperset(POSITION) or roles.issuperset(GRID)):
-        missing.insert(1, "latitude and longitude (or easting and northing)")
-    return missing
+    return (
+        roles.issuperset(("time", *ATTITUDE))
+        and not roles.isdisjoint(HEIGHTS)
+        and (roles.issuperset(POSITION) or roles.issuperset(GRID))
+    )
 
 
 def _one(path: Path, columns: Sequence[Column], role: str) -> Column:
@@ -247,8 +255,7 @@ def _one(path: Path, columns: Sequence[Column], role: str) -> Column:
 
 
 def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> list[Column]:
-    missing = missing_roles(columns)
-    if missing:
+    if not is_complete(columns):
         raise InputError(missing_columns(path, columns))
     roles = {column.role for column in columns}
     place = GRID if conventions.crs and roles.issuperset(GRID) else POSITION
@@ -416,24 +423,18 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
 
 def _times(
     path: Path, values: Mapping[str, Array], conventions: Conventions
-) -> tuple[Array, tuple[str, ...]]:
+) -> tuple[Array, tuple[Message, ...]]:
     base = base_of(conventions.time)
     time = values["time"]
     if "date" in values:
         if base.period is not None or base.key == "gps-adjusted":
             raise InputError(error("trajectory.dates", file=str(path), base=base.key))
         calendar = values["date"] + time
-        return (calendar if base.utc else calendar - GPS_EPOCH), (
-            f"date and time of day are {'UTC' if base.utc else 'GPS'}",
-        )
+        code = "assumed.dates_utc" if base.utc else "assumed.dates_gps"
+        return (calendar if base.utc else calendar - GPS_EPOCH), (note(code),)
     time, starts = unrolled(time)
     require_base(path, time, base)
-    if not starts:
-        return time, ()
-    return time, (
-        f"times start again {starts} time{'s' if starts > 1 else ''} (midnight or end of the "
-        "week) and are counted on from there",
-    )
+    return time, (note("assumed.time_rollover", count=starts),) if starts else ()
 
 
 def _require_on_earth(

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.frames import ECCENTRICITY_SQUARED, SEMI_MAJOR_AXIS
-from lispac.messages import Action, Level, Message, warning
+from lispac.io.registry import Fact
+from lispac.messages import Action, Level, Message, note, warning
 from lispac.survey.source import printable
 from lispac.survey.time_base import base_of, plausible
 from lispac.survey.time_quality import time_quality
@@ -106,8 +107,8 @@ def wrapped(angle: Array) -> Array:
 
 def facts_of(
     time: Array, latitude: Array, longitude: Array, height: Array, speed: Array
-) -> dict[str, str]:
-    """Span, rate, area, heights and speed of a sample, in words.
+) -> dict[str, Fact]:
+    """Span, rate, area, heights and speed of a sample.
 
     Parameters
     ----------
@@ -117,32 +118,28 @@ def facts_of(
     speed : ndarray of shape (m,), metres a second
         Of some of the states.
     """
-    facts = {
-        "Start": f"{time[0]:.3f} s",
-        "End": f"{time[-1]:.3f} s",
-        "Duration": duration_words(float(time[-1] - time[0])),
-    }
+    facts = span_facts(time)
     steps = np.diff(time)
     steps = steps[(steps >= SHORTEST_STEP) & (steps <= LONGEST_GAP)]
     if len(steps):
-        facts["Rate"] = f"{len(steps) / steps.sum():.4g} per second"
-    facts["Latitude"] = f"{np.degrees(latitude.min()):.6f} to {np.degrees(latitude.max()):.6f} deg"
-    facts["Longitude"] = (
-        f"{np.degrees(longitude.min()):.6f} to {np.degrees(longitude.max()):.6f} deg"
-    )
-    facts["Height"] = f"{height.min():.2f} to {height.max():.2f} m"
+        facts["Rate"] = note("fact.rate", rate=len(steps) / steps.sum())
+    facts["Latitude"] = note("fact.geographic", low=latitude.min(), high=latitude.max())
+    facts["Longitude"] = note("fact.geographic", low=longitude.min(), high=longitude.max())
+    facts["Height"] = note("fact.lengths", low=height.min(), high=height.max())
     if len(speed):
-        facts["Speed"] = f"{speed.min():.2f} to {speed.max():.2f} m/s"
+        facts["Speed"] = note("fact.speeds", low=speed.min(), high=speed.max())
     return facts
 
 
-def duration_words(seconds: float) -> str:
-    """A duration as 2 h 03 min, 4 min 10 s or 7.5 s."""
-    if seconds >= 3600:
-        return f"{int(seconds // 3600)} h {int(seconds % 3600 // 60):02d} min"
-    if seconds >= 60:
-        return f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
-    return f"{seconds:.1f} s"
+def span_facts(time: Array) -> dict[str, Fact]:
+    """Start, end and duration of ``time``, shape (n,), seconds."""
+    start, end = float(time[0]), float(time[-1])
+    long = end - start >= 3600
+    return {
+        "Start": note("fact.time", time=start),
+        "End": note("fact.time", time=end),
+        "Duration": note("fact.hours" if long else "fact.seconds", duration=end - start),
+    }
 
 
 def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:

@@ -42,36 +42,70 @@ from lispac.io.pospac_text import (
     sniff_pospac,
     sniff_pospac_accuracy,
 )
-from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding, Format, Kind, Option
+from lispac.io.registry import (
+    LIKELY,
+    NOT,
+    POSSIBLE,
+    SURE,
+    Choice,
+    Fact,
+    Finding,
+    Format,
+    Kind,
+    Option,
+)
 from lispac.io.sbet import AXES, SMRMSG_RECORD, SbetOptions, read_sbet, read_smrmsg, sound_smrmsg
 from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet, end_fits
 from lispac.io.text_table import SEPARATORS
 from lispac.io.trajectory_preview import accuracy_facts, refusal_warning
-from lispac.messages import Message, warning
+from lispac.language import N_
+from lispac.messages import Message, note, warning
 from lispac.survey.source import printable
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 SBET_COLUMNS = (
-    "time", "latitude", "longitude", "height", "velocity x", "velocity y", "velocity z", "roll",
-    "pitch", "heading", "wander", "acceleration x", "acceleration y", "acceleration z", "rate x",
-    "rate y", "rate z",
-)  # fmt: skip
+    N_("time"),
+    N_("latitude"),
+    N_("longitude"),
+    N_("height"),
+    N_("velocity x"),
+    N_("velocity y"),
+    N_("velocity z"),
+    N_("roll"),
+    N_("pitch"),
+    N_("heading"),
+    N_("wander"),
+    N_("acceleration x"),
+    N_("acceleration y"),
+    N_("acceleration z"),
+    N_("rate x"),
+    N_("rate y"),
+    N_("rate z"),
+)
 SMRMSG_COLUMNS = (
-    "time", "north", "east", "down", "velocity north", "velocity east", "velocity down", "roll",
-    "pitch", "heading",
-)  # fmt: skip
+    N_("time"),
+    N_("north"),
+    N_("east"),
+    N_("down"),
+    N_("velocity north"),
+    N_("velocity east"),
+    N_("velocity down"),
+    N_("roll"),
+    N_("pitch"),
+    N_("heading"),
+)
 
 PITCH = Option(
-    "pitch", "Which way the bow moves where pitch grows.", ("bow-up", "bow-down"), "bow-up"
+    "pitch", N_("Direction of the bow for positive pitch."), ("bow-up", "bow-down"), "bow-up"
 )
 ROLL = Option(
     "roll",
-    "Which side goes down where roll grows; starboard down is port up.",
+    N_("Side that is down for positive roll. Starboard down is port up."),
     ("starboard-down", "port-down"),
     "starboard-down",
 )
-TIME = Option("time", "What the times count.", KEYS, "gps-week")
+TIME = Option("time", N_("Time base."), KEYS, "gps-week")
 
 
 def _sniff_sbet(path: Path) -> float:
@@ -94,8 +128,8 @@ def _look_sbet(path: Path, choice: Choice) -> Finding:
     found = detect_sbet(path)
     rows = tuple(tuple(f"{value:.10g}" for value in row) for row in found.head)
     options = asdict(found.options) | dict(choice)
-    words = SbetOptions(**options).words()
-    return Finding(found.facts, (SBET_COLUMNS, *rows), options, found.doubts, words)
+    assumptions = SbetOptions(**options).assumptions()
+    return Finding(found.facts, (SBET_COLUMNS, *rows), options, found.doubts, assumptions)
 
 
 def _read_sbet(path: Path, choice: Choice) -> Trajectory:
@@ -135,7 +169,7 @@ def _look_smrmsg(path: Path, choice: Choice) -> Finding:
                 rest=rest,
             )
         )  # fmt: skip
-    facts = {"Records": f"{size // SMRMSG_RECORD:,}"}
+    facts: dict[str, Fact] = {"Records": size // SMRMSG_RECORD}
     if len(head) and not doubts:
         try:
             found, warnings = accuracy_facts(read_smrmsg(path), file)
@@ -151,7 +185,7 @@ def _read_smrmsg(path: Path, choice: Choice) -> TrajectoryAccuracy:
 
 
 def _format(
-    name: str,
+    name: Message,
     key: str,
     kind: Kind,
     endings: tuple[str, ...],
@@ -175,15 +209,14 @@ def _format(
 
 
 SBET = _format(
-    "Applanix SBET",
+    note("format.sbet"),
     "sbet",
     "trajectory",
     (".out", ".sbet"),
     (
         Option(
             "heading",
-            "Whether the wander angle has to be taken off the platform heading to get true "
-            "heading.",
+            N_("Whether the wander angle is subtracted from the platform heading."),
             ("minus-wander", "as-is"),
             "minus-wander",
         ),
@@ -191,21 +224,19 @@ SBET = _format(
         ROLL,
         Option(
             "axes",
-            "Axes of the velocities; they serve to check the heading.",
-            tuple(AXES),
+            N_("Axes of the velocities. They are used to check the heading."),
+            ("unknown", *AXES),
             "unknown",
         ),
         TIME,
-        Option("unit", "Unit of all angles.", ("radians", "degrees"), "radians"),
+        Option("unit", N_("Unit of all angles."), ("radians", "degrees"), "radians"),
         Option(
             "order",
-            "Which of the two positions stands first.",
+            N_("Order of latitude and longitude."),
             ("latitude-longitude", "longitude-latitude"),
             "latitude-longitude",
         ),
-        Option(
-            "byte_order", "Order of the bytes.", ("little-endian", "big-endian"), "little-endian"
-        ),
+        Option("byte_order", N_("Byte order."), ("little-endian", "big-endian"), "little-endian"),
     ),
     _sniff_sbet,
     _look_sbet,
@@ -213,7 +244,8 @@ SBET = _format(
 )
 
 GRID_SYSTEM = Option(
-    "crs", "Coordinate system of eastings and northings where there is no latitude (EPSG:...)."
+    "crs",
+    N_("Coordinate system of eastings and northings where there is no latitude (EPSG:...)."),
 )
 EXAIL_OPTIONS = (
     Option(PITCH.name, PITCH.meaning, PITCH.choices, "bow-down"),
@@ -222,7 +254,7 @@ EXAIL_OPTIONS = (
     GRID_SYSTEM,
 )
 EXAIL = _format(
-    "Exail (iXblue) APPS or Delph INS text",
+    note("format.exail"),
     "exail-text",
     "trajectory",
     (".txt", ".csv"),
@@ -234,7 +266,7 @@ EXAIL = _format(
 
 POSPAC_OPTIONS = (TIME, GRID_SYSTEM)
 POSPAC = _format(
-    "Applanix POSPac text",
+    note("format.pospac"),
     "pospac-text",
     "trajectory",
     (".txt", ".csv"),
@@ -245,45 +277,54 @@ POSPAC = _format(
 )
 
 ASCII = _format(
-    "Text, columns stated",
+    note("format.ascii"),
     "ascii-trajectory",
     "trajectory",
     (".txt", ".csv", ".asc", ".pos", ".dat"),
     (
         Option(
             "columns",
-            "What each column is, from the left: time, date, latitude, longitude, easting, "
-            "northing, height, roll, pitch, heading; - passes one over.",
+            N_(
+                "Columns from the left: time, date, latitude, longitude, easting, northing, "
+                "height, roll, pitch, heading; - skips a column."
+            ),
             (),
             DEFAULTS["columns"],
         ),
-        Option("separator", "What stands between the columns.", SEPARATORS, "auto"),
+        Option("separator", N_("Separator of the columns."), SEPARATORS, "auto"),
         Option(
-            "header", "Rows to pass over at the head; auto: up to the first of numbers.", (), "auto"
+            "header",
+            N_("Rows to skip at the beginning. auto: up to the first row of numbers."),
+            (),
+            "auto",
         ),
         Option(
             "position",
-            "Unit of latitude and longitude.",
+            N_("Unit of latitude and longitude."),
             POSITION_CHOICES,
             "degrees",
         ),
-        Option("attitude", "Unit of roll, pitch and heading.", ATTITUDE_CHOICES, "degrees"),
+        Option("attitude", N_("Unit of roll, pitch and heading."), ATTITUDE_CHOICES, "degrees"),
         Option(
             "grid_unit",
-            "Unit of eastings and northings; empty: as in the coordinate system, of whose kind "
-            "plain feet are too.",
+            N_(
+                "Unit of eastings and northings. Empty: that of the coordinate system; feet are "
+                "those of the coordinate system where it is in feet."
+            ),
             LENGTH_CHOICES,
         ),
         Option(
             "heights",
-            "Unit of the heights; empty: as in the coordinate system where it has heights, else "
-            "metres.",
+            N_(
+                "Unit of heights. Empty: that of the coordinate system where it has heights, else "
+                "metres."
+            ),
             LENGTH_CHOICES,
         ),
         PITCH,
         ROLL,
-        Option("heading", "North that the heading counts from.", ("true", "grid"), "true"),
-        Option("crs", "Coordinate system of eastings and northings (EPSG:32619, say)."),
+        Option("heading", N_("North from which the heading counts."), ("true", "grid"), "true"),
+        Option("crs", N_("Coordinate system of eastings and northings, such as EPSG:32619.")),
         TIME,
     ),
     sniff_ascii,
@@ -292,7 +333,7 @@ ASCII = _format(
 )
 
 CIDCO_STATES = _format(
-    "CIDCO binary, states of its points",
+    note("format.cidco_states"),
     "cidco-states",
     "trajectory",
     (),
@@ -302,7 +343,7 @@ CIDCO_STATES = _format(
     read_states,
 )
 CIDCO_ACCURACY = _format(
-    "CIDCO binary, sigmas of its states",
+    note("format.cidco_sigmas"),
     "cidco-sigmas",
     "accuracy",
     (),
@@ -313,7 +354,7 @@ CIDCO_ACCURACY = _format(
 )
 
 SMRMSG = _format(
-    "Applanix smrmsg",
+    note("format.smrmsg"),
     "smrmsg",
     "accuracy",
     (".out", ".smrmsg"),
@@ -323,7 +364,7 @@ SMRMSG = _format(
     _read_smrmsg,
 )
 EXAIL_ACCURACY = _format(
-    "Exail (iXblue) text, standard deviations",
+    note("format.exail_sigmas"),
     "exail-sigmas",
     "accuracy",
     (".txt", ".csv"),
@@ -333,7 +374,7 @@ EXAIL_ACCURACY = _format(
     read_exail_accuracy,
 )
 POSPAC_ACCURACY = _format(
-    "Applanix POSPac text, standard deviations",
+    note("format.pospac_sigmas"),
     "pospac-sigmas",
     "accuracy",
     (".txt", ".csv"),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.units import UNITS
+from lispac.io.units import FOOT, LENGTH_NAMES, UNITS, US_FOOT
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs_area import meant_elsewhere
 from lispac.survey.source import printable
@@ -23,15 +23,6 @@ LENGTHS = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length
 """Metres in each unit; ``ft`` are feet of which the file does not say which."""
 UNSTATED = ""
 """Unit of a length of which the file says none."""
-LENGTH_WORDS = {unit.si: unit.words for unit in UNITS.values() if unit.kind == "length"}
-"""Names of the units by the metres in them."""
-_LENGTH_CODES = {
-    "m": "unit.metres", "km": "unit.kilometres", "cm": "unit.centimetres", "mm": "unit.millimetres",
-    "ft": "unit.feet", "us-ft": "unit.us_survey_feet", "in": "unit.inches", "yd": "unit.yards",
-    "fathom": "unit.fathoms",
-}  # fmt: skip
-LENGTH_MESSAGES = {LENGTHS[unit]: note(code) for unit, code in _LENGTH_CODES.items()}
-"""Names of the units as parts of messages, by the metres in them."""
 
 
 @dataclass(frozen=True)
@@ -41,14 +32,14 @@ class Length:
     Attributes
     ----------
     metres : float
-    words : str
-        Its name, and how it was settled.
+    name : Message
+        With how it was settled.
     doubt : Message or None
         What the user should check.
     """
 
     metres: float
-    words: str
+    name: Message
     doubt: Message | None = None
 
 
@@ -62,49 +53,40 @@ class Grid:
         As the user states it.
     metres : float
         In a unit of its axes.
-    words : str
-        Name of that unit.
+    name : Message
+        Of that unit.
+    in_feet : bool
+        Whether that unit is a foot of some kind.
     height_metres : float or None
         In a unit of its heights; None where it has none.
+    height_name : Message or None
+        Of the unit of its heights.
     """
 
     text: str
     system: "CRS"
     metres: float
-    words: str
+    name: Message
+    in_feet: bool
     height_metres: float | None
-    height_words: str
-
-    @property
-    def in_feet(self) -> bool:
-        """Whether its axes count feet of some kind."""
-        return "foot" in self.words or "feet" in self.words
+    height_name: Message | None
 
     def unit(self, name: str, stated: str, path: Path) -> Length:
         """Unit of a column of eastings or northings called ``name``."""
         if stated == UNSTATED:
-            return Length(
-                self.metres,
-                f"{self.words}, as in the coordinate system (the file names no unit)",
-            )
+            return Length(self.metres, note("unit.as_in_system", unit=self.name))
         if stated == "ft" and self.in_feet:
-            return Length(self.metres, f"{self.words}, the feet of the coordinate system")
+            return Length(self.metres, note("unit.feet_of_system", unit=self.name))
         if stated == "ft":
             return Length(
                 LENGTHS["ft"],
-                LENGTH_WORDS[LENGTHS["ft"]],
+                LENGTH_NAMES[LENGTHS["ft"]],
                 warning(
                     "trajectory.feet_not_specified", file=printable(path.name), column=name,
-                    system=self.text, unit=self.unit_name,
+                    system=self.text, unit=self.name,
                 ),
             )  # fmt: skip
-        return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
-
-    @property
-    def unit_name(self) -> Message | str:
-        """Name of the unit of its axes, as a part of messages."""
-        near = [name for m, name in LENGTH_MESSAGES.items() if abs(self.metres / m - 1) < 1e-9]
-        return near[0] if near else self.words
+        return Length(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
 
     def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
         """A warning where positions lie outside the area that the system is meant for.
@@ -185,8 +167,9 @@ def grid_of(path: Path, text: str) -> Grid:
         horizontal,
         across.unit_conversion_factor,
         _named(across.unit_conversion_factor, across.unit_name),
+        "foot" in across.unit_name or across.unit_conversion_factor in (FOOT, US_FOOT),
         up[0].unit_conversion_factor if up else None,
-        _named(up[0].unit_conversion_factor, up[0].unit_name) if up else "",
+        _named(up[0].unit_conversion_factor, up[0].unit_name) if up else None,
     )
 
 
@@ -194,25 +177,23 @@ def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> Le
     """Unit of a column of heights called ``name``; metres where nobody says otherwise."""
     own = None if grid is None else grid.height_metres
     if stated == UNSTATED:
-        if grid is not None and own is not None:
-            return Length(
-                own, f"{grid.height_words}, as in the coordinate system (the file names no unit)"
-            )
+        if grid is not None and own is not None and grid.height_name is not None:
+            return Length(own, note("unit.as_in_system", unit=grid.height_name))
         doubt = None
         if grid is not None and grid.in_feet:
             doubt = warning(
                 "trajectory.height_unit_not_stated", file=printable(path.name), column=name,
-                unit=grid.unit_name,
+                unit=grid.name,
             )  # fmt: skip
-        return Length(1.0, "metres (no unit is stated)", doubt)
+        return Length(1.0, note("unit.metres_assumed"), doubt)
     if stated == "ft" and grid is not None and grid.in_feet:
-        return Length(grid.metres, f"{grid.words}, the feet of the coordinate system")
-    return Length(LENGTHS[stated], LENGTH_WORDS[LENGTHS[stated]])
+        return Length(grid.metres, note("unit.feet_of_system", unit=grid.name))
+    return Length(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
 
 
-def _named(metres: float, name: str) -> str:
-    near = [words for known, words in LENGTH_WORDS.items() if abs(metres / known - 1) < 1e-9]
-    return near[0] if near else f"{name} ({metres:.9g} m each)"
+def _named(metres: float, name: str) -> Message:
+    near = [known for si, known in LENGTH_NAMES.items() if abs(metres / si - 1) < 1e-9]
+    return near[0] if near else note("unit.other", name=name, metres=metres)
 
 
 def _unusable(path: Path, text: str, failure: Exception) -> InputError:

@@ -1,7 +1,7 @@
 """Preview of a trajectory of text: facts and warnings from its first and last rows."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import chain, islice
 from pathlib import Path
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.files import message_about
-from lispac.io.registry import Choice, Finding
+from lispac.io.registry import Choice, Fact, Finding
 from lispac.io.text_table import encoding_of, fields_of, is_data, last_lines
 from lispac.io.trajectory_columns import (
     SIGMAS,
@@ -17,23 +17,23 @@ from lispac.io.trajectory_columns import (
     Conventions,
     Rows,
     accuracy_of,
+    is_complete,
     map_doubts,
     missing_columns,
-    missing_roles,
     trajectory_of,
 )
 from lispac.io.trajectory_facts import (
     Motion,
     angle_unit_messages,
     course_doubts,
-    duration_words,
     facts_of,
     motion_of,
+    span_facts,
     time_doubts,
 )
 from lispac.io.trajectory_velocities import speed_doubts
 from lispac.io.units import UNITS
-from lispac.messages import Action, Level, Message, warning
+from lispac.messages import Action, Level, Message, note, warning
 from lispac.survey.source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -53,19 +53,27 @@ class TextLayout:
     separator : str
     rows : callable
         Path to the rows of data, each with its number in the file.
-    facts : dict of str to str
+    facts : dict of str to Fact
     doubts : tuple of Message
     velocities : tuple of Column
         East and north velocity, each with the unit of its length; empty where there are none.
+    signs : mapping of str to str
+        Signs of roll and pitch that the file states, as options, by the angle.
     """
 
     columns: tuple[Column, ...]
     names: tuple[str, ...]
     separator: str
     rows: Callable[[Path], Rows]
-    facts: dict[str, str]
+    facts: dict[str, Fact]
     doubts: tuple[Message, ...] = ()
     velocities: tuple[Column, ...] = ()
+    signs: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def column_facts(self) -> dict[str, Fact]:
+        """Its facts, with the names of all columns."""
+        return {**self.facts, "Columns": ", ".join(self.names) or note("fact.not_known")}
 
 
 def look_at_text(
@@ -74,15 +82,11 @@ def look_at_text(
     """Facts, first rows and warnings of a trajectory of text, from its first and last rows."""
     file = printable(path.name)
     head = list(islice(layout.rows(path), HEAD_ROWS))
-    facts = {
-        **layout.facts,
-        "Columns": ", ".join(layout.names) or "not known",
-        "Rows": f"about {_estimated_rows(path, head):,}",
-    }
+    rows_about = note("fact.about", count=_estimated_rows(path, head))
+    facts = {**layout.column_facts, "Rows": rows_about}
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
-    missing = missing_roles(layout.columns)
     doubts = list(layout.doubts)
-    if missing:
+    if not is_complete(layout.columns):
         lacking = missing_columns(path, layout.columns)
         doubts.append(replace(lacking, level=Level.WARNING))
         return Finding(facts, rows, choice, tuple(doubts))
@@ -122,7 +126,7 @@ def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -
     """Facts and warnings of standard deviations in text, from the first rows."""
     head = list(islice(layout.rows(path), HEAD_ROWS))
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
-    facts = {**layout.facts, "Columns": ", ".join(layout.names) or "not known"}
+    facts = layout.column_facts
     try:
         accuracy = accuracy_of(path, iter(head), layout.columns, conventions)
     except InputError as refused:
@@ -138,26 +142,21 @@ def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -
 
 def accuracy_facts(
     accuracy: TrajectoryAccuracy, file: str
-) -> tuple[dict[str, str], tuple[Message, ...]]:
+) -> tuple[dict[str, Fact], tuple[Message, ...]]:
     """Span, size and warnings of standard deviations of the file called ``file``."""
-    time, doubts = accuracy.time, []
-    facts = {
-        "Start": f"{time[0]:.3f} s",
-        "End": f"{time[-1]:.3f} s",
-        "Duration": duration_words(float(time[-1] - time[0])),
-    }
-    position, attitude = accuracy.position, np.degrees(accuracy.attitude)
+    facts, doubts = span_facts(accuracy.time), []
+    position, attitude = accuracy.position, accuracy.attitude
     for name, values in zip(("north", "east", "height"), position.T, strict=True):
-        facts[f"Sigma {name}"] = f"{values.min():.3f} to {values.max():.3f} m"
+        facts[f"Sigma {name}"] = note("fact.fine_lengths", low=values.min(), high=values.max())
     for name, values in zip(("roll", "pitch", "heading"), attitude.T, strict=True):
-        facts[f"Sigma {name}"] = f"{values.min():.4f} to {values.max():.4f} deg"
+        facts[f"Sigma {name}"] = note("fact.angles", low=values.min(), high=values.max())
     if not position.any() or not attitude.any():
         doubts.append(warning("accuracy.all_zero", file=file))
-    if np.median(attitude) > 1 or np.median(position) > 100:
+    if np.median(np.degrees(attitude)) > 1 or np.median(position) > 100:
         doubts.append(
             warning(
                 "accuracy.large", file=file, position=float(np.median(position)),
-                attitude=float(np.median(accuracy.attitude)),
+                attitude=float(np.median(attitude)),
             )
         )  # fmt: skip
     return facts, tuple(doubts)

@@ -7,6 +7,8 @@ from typing import Literal
 
 import numpy as np
 
+from lispac.messages import Message, note
+
 Kind = Literal["length", "angle", "time", "notation"]
 
 
@@ -19,45 +21,49 @@ class Unit:
     kind : {"length", "angle", "time", "notation"}
     si : float
         Metres, radians or seconds in it; of a notation, in what it is parsed to.
-    words : str
+    name : Message
     """
 
     kind: Kind
     si: float
-    words: str
+    name: Message
 
 
 FOOT, US_FOOT = 0.3048, 1200 / 3937
 _TURN = 2 * np.pi
 UNITS = {
-    "m": Unit("length", 1.0, "metres"),
-    "km": Unit("length", 1000.0, "kilometres"),
-    "cm": Unit("length", 0.01, "centimetres"),
-    "mm": Unit("length", 0.001, "millimetres"),
-    "ft": Unit("length", FOOT, "feet of 0.3048 m"),
-    "int-ft": Unit("length", FOOT, "feet of 0.3048 m"),
-    "us-ft": Unit("length", US_FOOT, "US survey feet"),
-    "in": Unit("length", FOOT / 12, "inches"),
-    "yd": Unit("length", 3 * FOOT, "yards"),
-    "fathom": Unit("length", 6 * FOOT, "fathoms"),
-    "rad": Unit("angle", 1.0, "radians"),
-    "mrad": Unit("angle", 0.001, "milliradians"),
-    "deg": Unit("angle", _TURN / 360, "degrees"),
-    "gon": Unit("angle", _TURN / 400, "gons"),
-    "arcmin": Unit("angle", _TURN / 360 / 60, "arc minutes"),
-    "arcsec": Unit("angle", _TURN / 360 / 3600, "arc seconds"),
-    "dms": Unit("notation", _TURN / 360, "degrees, minutes and seconds"),
-    "ddmm": Unit("notation", _TURN / 360, "degrees and minutes without a sign between them"),
-    "s": Unit("time", 1.0, "seconds"),
-    "ms": Unit("time", 1e-3, "milliseconds"),
-    "us": Unit("time", 1e-6, "microseconds"),
-    "ns": Unit("time", 1e-9, "nanoseconds"),
-    "min": Unit("time", 60.0, "minutes of time"),
-    "h": Unit("time", 3600.0, "hours"),
-    "clock": Unit("notation", 1.0, "hours, minutes and seconds"),
-    "date": Unit("notation", 1.0, "date"),
+    "m": Unit("length", 1.0, note("unit.metres")),
+    "km": Unit("length", 1000.0, note("unit.kilometres")),
+    "cm": Unit("length", 0.01, note("unit.centimetres")),
+    "mm": Unit("length", 0.001, note("unit.millimetres")),
+    "ft": Unit("length", FOOT, note("unit.feet")),
+    "int-ft": Unit("length", FOOT, note("unit.feet")),
+    "us-ft": Unit("length", US_FOOT, note("unit.us_survey_feet")),
+    "in": Unit("length", FOOT / 12, note("unit.inches")),
+    "yd": Unit("length", 3 * FOOT, note("unit.yards")),
+    "fathom": Unit("length", 6 * FOOT, note("unit.fathoms")),
+    "rad": Unit("angle", 1.0, note("unit.radians")),
+    "mrad": Unit("angle", 0.001, note("unit.milliradians")),
+    "deg": Unit("angle", _TURN / 360, note("unit.degrees")),
+    "gon": Unit("angle", _TURN / 400, note("unit.gons")),
+    "arcmin": Unit("angle", _TURN / 360 / 60, note("unit.arc_minutes")),
+    "arcsec": Unit("angle", _TURN / 360 / 3600, note("unit.arc_seconds")),
+    "dms": Unit("notation", _TURN / 360, note("unit.dms")),
+    "ddmm": Unit("notation", _TURN / 360, note("unit.ddmm")),
+    "s": Unit("time", 1.0, note("unit.seconds")),
+    "ms": Unit("time", 1e-3, note("unit.milliseconds")),
+    "us": Unit("time", 1e-6, note("unit.microseconds")),
+    "ns": Unit("time", 1e-9, note("unit.nanoseconds")),
+    "min": Unit("time", 60.0, note("unit.minutes")),
+    "h": Unit("time", 3600.0, note("unit.hours")),
+    "clock": Unit("notation", 1.0, note("unit.clock")),
+    "date": Unit("notation", 1.0, note("unit.date")),
 }
 """Units by their code; ``ft`` are feet of which the file does not say which."""
+LENGTH_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "length"}
+"""Names of the units of length by the metres in them."""
+TIME_UNIT_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "time"}
+"""Names of the units of time by the seconds in them."""
 ANGLE_CODES = tuple(
     code for code, unit in UNITS.items() if unit.kind == "angle" or code in ("dms", "ddmm")
 )

@@ -37,7 +37,9 @@ def _converter() -> Any:
 def _message_value(converter: Any, value: Any) -> Any:
     if isinstance(value, dict):
         return converter.structure(value, Message)
-    return tuple(value) if isinstance(value, list) else value
+    if isinstance(value, list):
+        return tuple(_message_value(converter, each) for each in value)
+    return value
 
 
 def _integer(value: Any, _: Any) -> int:

@@ -8,7 +8,7 @@ placeholders.
 from collections.abc import Mapping
 from typing import Any
 
-from lispac.language import N_, Template, in_language, text_of
+from lispac.language import N_, Template, in_language, number, text_of
 from lispac.message_texts import (
     adjustment,
     adjustment_warnings,
@@ -17,6 +17,7 @@ from lispac.message_texts import (
     commands,
     conventions,
     file_checks,
+    file_contents,
     importing,
     importing_steps,
     items,
@@ -49,6 +50,7 @@ TOPICS = (
     commands,
     conventions,
     file_checks,
+    file_contents,
     importing,
     importing_steps,
     items,
@@ -118,9 +120,11 @@ def english_text(message: Message) -> str:
         return message_text(message)
 
 
-def note_text(note: str | Message) -> str:
-    """Text of a note of an import, which has a message or is a text of its own."""
-    return note if isinstance(note, str) else message_text(note)
+def fact_text(fact: str | int | Message) -> str:
+    """Text of a fact about a file in the language in use: a text of the file stays as it is."""
+    if isinstance(fact, Message):
+        return message_text(fact)
+    return number(fact, 0) if isinstance(fact, int) else fact
 
 
 def has_text(message: Message) -> bool:

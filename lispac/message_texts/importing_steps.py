@@ -300,6 +300,46 @@ TEXTS: Mapping[str, Template] = {
         "and no known time base brings it inside. Give the trajectory of the same survey, or leave "
         "the line out."
     ),
+    "import.outside_with_shifts": N_(
+        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
+        "{start:s.1} to {end:s.1} s). If the points are in {points} and the trajectory in "
+        "{trajectory}, add {shift:s.3+} s: then {share:percent.1} % of the points lie within it. "
+        "By the times alone, {shifts:choices} would fit as well. Give the time base of the points."
+    ),
+    "import.nowhere_on_trajectory": N_(
+        "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
+        "{start:s.1} to {end:s.1} s), or all lie in its gaps. Check the trajectory and the time "
+        "base, or leave the line out."
+    ),
+    "import.excluded_outside": N_(
+        "{file}: {count:n} of {total:n} points lie before or after the trajectory. They are "
+        "excluded."
+    ),
+    "import.excluded_in_gaps": N_(
+        "{file}: {count:n} of {total:n} points lie in gaps of the trajectory longer than "
+        "{limit:s.1} s. They are excluded."
+    ),
+    "import.excluded_steep": N_(
+        "{file}: {count:n} of {total:n} points were measured at a pitch beyond 80 deg, where roll "
+        "and heading cannot be separated. They are excluded."
+    ),
+    "import.shift_possible": N_(
+        "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "
+        "within the trajectory. If the points are in {points} and the trajectory in {trajectory}, "
+        "import the line again with this time shift."
+    ),
+    "import.restart_found": N_(
+        "{file}: the times restart at {place} within the line. Import the line again with the "
+        "option {option}."
+    ),
+    "import.restart_not_needed": N_(
+        "{file}: without the time rollover, {share:percent.1} % of the points lie within the "
+        "trajectory. If the times of the trajectory restart too, import the line again with the "
+        "option {option}."
+    ),
+    "import.file_gone": N_(
+        "{file}: this file no longer exists. {line} is used as it was imported from it."
+    ),
     # -- import --------------------------------------------------------------------------------
     "import.shift_not_needed": N_(
         "{file}: shifted by {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) lie "

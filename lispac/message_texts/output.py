@@ -101,4 +101,25 @@ TEXTS: Mapping[str, Template] = {
         "{key} is longer than {limit:n} characters or holds a character that cannot be printed. "
         "Change it."
     ),
+    # -- georeferenced lines -----------------------------------------------------------------
+    "export.excluded_in_gaps": N_(
+        "{file}: {count:n} of {total:n} points lie in gaps of the trajectory or were measured at a "
+        "pitch beyond 80 deg. They are excluded."
+    ),
+    "export.file_gone": N_(
+        "{line}: its file no longer exists. Points, attributes and records of the header are those "
+        "kept at the import."
+    ),
+    "export.file_and_header_gone": N_(
+        "{line}: its file no longer exists. The points have all their attributes, but other "
+        "records of the header, and the scales and descriptions of its extra attributes, are not "
+        "kept."
+    ),
+    "export.waveforms": N_(
+        "{file}: the references of the points to waveforms are kept, the waveforms are not. Their "
+        "directions are those of the source."
+    ),
+    "export.column_excluded": N_(
+        "The column {column} holds neither numbers nor flags. It is excluded."
+    ),
 }

@@ -26,7 +26,8 @@ TEXTS: Mapping[str, Template] = {
     "project.import_note": N_("Import: {reason}"),
     "project.storage": N_("Saving: {reason}"),
     "project.not_found_on_line": N_("{target} on {line}: {reason}"),
-    "project.sighting_quality": N_("{target} on {line}: {reason}"),
+    "project.doubtful_sighting": N_("{target} on {line}: doubtful. {reasons:sentences}"),
+    "project.poor_sighting": N_("{target} on {line}: poor. {reasons:sentences}"),
     "project.single_target": N_(
         "Nothing checks a single target. Pick another one with another orientation."
     ),

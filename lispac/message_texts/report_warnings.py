@@ -81,7 +81,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "report.sightings": N_(
         "Sightings used: {total:n}, of which poor: {poor:n}, doubtful: {doubtful:n}. The worst is "
-        "{target} on {line}: {reason} See the section on the quality of the sightings."
+        "{target} on {line}: {reasons:sentences} See the section on the quality of the sightings."
     ),
     # -- validation --------------------------------------------------------------------------
     "report.not_validated": N_(

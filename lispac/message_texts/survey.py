@@ -39,6 +39,10 @@ TEXTS: Mapping[str, Template] = {
         '{height}: {system} is not a vertical coordinate system. Give "ellipsoid", the EPSG code '
         "of a vertical system, or a geoid grid (.gtx, .tif)."
     ),
+    "crs.meant_elsewhere": N_(
+        "{system} is meant for {area}, but the trajectory is at latitude {latitude:deg.1}, "
+        "longitude {longitude:deg.1} deg. Check the system; the UTM zone there is {zone}."
+    ),
     "crs.unknown_unit": N_("{unit}: unknown unit of heights. Choose {units:choices}."),
     "crs.not_geographic": N_(
         "{datum}: not a geographic coordinate system. Give the datum of the trajectory as one, "

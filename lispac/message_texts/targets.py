@@ -161,4 +161,96 @@ TEXTS: Mapping[str, Template] = {
         "The sphere found has a radius of {radius:m.3} m, but in the line of the seed the radius "
         "is {expected:m.3} m."
     ),
+    "finder.points_thinned": N_(
+        "{target} on {line}: there are more than {most:n} points around the seed. One in "
+        "{one_in:n} of them was used, chosen at random."
+    ),
+    "finder.radius_increased": N_(
+        "{target}: fewer than two lines have a plane within {usual:m} m of the seed. The search "
+        "radius was increased to {radius:m} m."
+    ),
+    # -- quality of a sighting ---------------------------------------------------------------------
+    "quality.curved": N_("It is curved: {sagitta:mm.1} mm over its extent."),
+    "quality.uneven": N_(
+        "It is not flat: it deviates by {rms:mm.1} mm (RMS) from its smooth shape."
+    ),
+    "quality.oblique": N_("The beams meet it at {angle:deg.0} deg from its normal."),
+    "quality.sparse": N_("The points cover only {share:percent.0} % of its outline."),
+    "quality.sphere_part": N_("Only {share:percent.0} % of its surface is visible."),
+    "quality.few_points": N_("It has only {count:n} points."),
+    "quality.rough": N_(
+        "Its RMS of {rms:mm.1} mm is {ratio:x.1} times the noise: it is rough or not flat."
+    ),
+    "quality.rough_without_prior": N_(
+        "Its RMS of {rms:mm.1} mm is {ratio:x.1} times the noise ({without:x.1} times without the "
+        "effect of the prior boresight): it is rough or not flat."
+    ),
+    "quality.rough_beyond_threshold": N_(
+        "Its RMS of {rms:mm.1} mm is {ratio:x.1} times the noise: it is rough or not flat, and "
+        "more of it lies beyond the threshold of {threshold:mm.0} mm."
+    ),
+    "quality.rough_without_prior_beyond_threshold": N_(
+        "Its RMS of {rms:mm.1} mm is {ratio:x.1} times the noise ({without:x.1} times without the "
+        "effect of the prior boresight): it is rough or not flat, and more of it lies beyond the "
+        "threshold of {threshold:mm.0} mm."
+    ),
+    "quality.shows_more": N_("It shows more than any other line: {sides:names}."),
+    "quality.shows_less": N_(
+        "It shows {share:percent.0} % of what the other lines show: {sides:names}."
+    ),
+    "quality.width_alone": N_("{here:m.2} m wide (elsewhere {there:m.2} m)"),
+    "quality.height_alone": N_("{here:m.2} m high (elsewhere {there:m.2} m)"),
+    "quality.width_of": N_("{here:m.2} of {there:m.2} m wide"),
+    "quality.height_of": N_("{here:m.2} of {there:m.2} m high"),
+    "quality.mistakable": N_(
+        "A similar surface lies {distance:m.2} m beside it, and the surroundings do not determine "
+        "which of the two this line shows. Check it in the section."
+    ),
+    "quality.wider": N_(
+        "It is {size:m.2} m wide, {off:m.2} m more than the {expected:m.2} m expected."
+    ),
+    "quality.narrower": N_(
+        "It is {size:m.2} m wide, {off:m.2} m less than the {expected:m.2} m expected."
+    ),
+    "quality.higher": N_(
+        "It is {size:m.2} m high, {off:m.2} m more than the {expected:m.2} m expected."
+    ),
+    "quality.lower": N_(
+        "It is {size:m.2} m high, {off:m.2} m less than the {expected:m.2} m expected."
+    ),
+    "quality.steeper": N_(
+        "It is inclined by {tilt:deg.1} deg, {off:deg.1} deg more than the {expected:deg.1} deg "
+        "expected."
+    ),
+    "quality.less_steep": N_(
+        "It is inclined by {tilt:deg.1} deg, {off:deg.1} deg less than the {expected:deg.1} deg "
+        "expected."
+    ),
+    # -- a target that was found before ------------------------------------------------------------
+    "overlap.same_surface": N_(
+        "{target} is the same surface as {other}: on {line}, {share:percent.0} % of the points of "
+        "{smaller} are the same. Keep one of the two."
+    ),
+    "overlap.same_surface_twice": N_(
+        "{target} is the same surface as {other}: on {line}, {share:percent.0} % of the points of "
+        "{smaller} are the same. They would count twice. Keep one of the two."
+    ),
+    "overlap.same_surface_unchecked": N_(
+        "{target} is the same surface as {other}: on {line}, {share:percent.0} % of the points of "
+        "{smaller} are the same. A validation plane on a target checks nothing. Keep one of the "
+        "two."
+    ),
+    "overlap.points_shared": N_(
+        "{target} shares points with {other}: on {line}, {share:percent.0} % of the points of "
+        "{smaller} are the same. Keep one of the two."
+    ),
+    "overlap.points_shared_twice": N_(
+        "{target} shares points with {other}: on {line}, {share:percent.0} % of the points of "
+        "{smaller} are the same. They would count twice. Keep one of the two."
+    ),
+    "overlap.points_shared_unchecked": N_(
+        "{target} shares points with {other}: on {line}, {share:percent.0} % of the points of "
+        "{smaller} are the same. A validation plane on a target checks nothing. Keep one of the "
+        "two."
+    ),
 }

@@ -128,6 +128,7 @@ TEXTS: Mapping[str, Template] = {
         "{folder}: none of the {count:n} missing files ({files:names}) is in this folder or in "
         "one below it. Choose the folder that they are in now.",
     ),
+    "project_files.moved": N_("{file} was moved and is now read from {folder}."),
     "project_files.one_missing": N_(
         "{file}: this file does not exist. Restore it, or give its new location: lispac locate, "
         "or open the project in the window."

@@ -199,7 +199,7 @@ def _sightings(content: ReportContent) -> Iterator[Message]:
     yield note(
         "report.sightings",
         total=len(judged), poor=len(poor), doubtful=len(doubtful), target=worst.target,
-        line=worst.line, reason=" ".join(worst.reasons),
+        line=worst.line, reasons=worst.reasons,
         subject=Cause.of_sighting(worst.target, worst.line),
     )  # fmt: skip
 

@@ -68,7 +68,7 @@ def report_content(
     headings_deg: Mapping[str, float],
     counts: Mapping[str, int],
     track_local: Mapping[str, Array],
-    notes: Sequence[str],
+    notes: Sequence[Message],
     generated: datetime,
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     convention: str = "",
@@ -86,7 +86,7 @@ def report_content(
     counts : points by name of the line
     track_local : ndarray of shape (k, 2) by name of the line, metres, north and west
         Course of the vessel, coarse.
-    notes : assumptions of the import, as texts
+    notes : assumptions of the import
     generated : datetime
         Taken as UTC where it has no time zone.
     qualities : by the names of target and line

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.report.blocks import Block, Column, Paragraph, Table, rows
 from lispac.report.values import ReportContent, SightingJudged
 from lispac.report.wording import degrees_unit, fixed, grouped, in_unit, known, mm
@@ -56,7 +57,9 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
                 known(each.incidence_deg, lambda value: fixed(value, 0)),
                 fixed(100 * each.coverage, 0),
                 known(each.share_shown, lambda value: fixed(100 * value, 0)),
-                " ".join((gettext(LIGHTS[each.light]), *each.reasons, *_edited(each))),
+                " ".join(
+                    (gettext(LIGHTS[each.light]), *map(message_text, each.reasons), *_edited(each))
+                ),
             ]
             for each in content.qualities
         ),

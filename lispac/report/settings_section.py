@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, facts, rows
 from lispac.report.settings_used import FILE_ROLES, role_of_line
 from lispac.report.values import Adjustment, ReportContent, SettingsUsed, VarianceComponent
@@ -72,7 +73,10 @@ def settings(content: ReportContent) -> list[Block]:
         blocks += _components(adjustment)
     blocks.append(_files(content))
     if content.notes:
-        blocks += [Paragraph(gettext("Input assumptions:")), Bullets(content.notes)]
+        blocks += [
+            Paragraph(gettext("Input assumptions:")),
+            Bullets(tuple(map(message_text, content.notes))),
+        ]
     return blocks
 
 

@@ -69,10 +69,6 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
         validation=tuple(
             replace(plane, measured_to=say(plane.measured_to)) for plane in content.validation
         ),
-        notes=tuple(map(say, content.notes)),
-        qualities=tuple(
-            replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
-        ),
         absolute=_if_known(content.absolute, lambda found: _absolute(found, say)),
         methods=tuple(_method(each, say) for each in content.methods),
         methods_in_words=tuple(map(say, content.methods_in_words)),

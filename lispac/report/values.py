@@ -288,7 +288,7 @@ class SightingJudged:
     target: str
     line: str
     light: str
-    reasons: tuple[str, ...]
+    reasons: tuple[Message, ...]
     points: int
     rms_m: float
     range_m: float
@@ -348,7 +348,7 @@ class ReportContent:
     lines: tuple[Line, ...]
     settings: SettingsUsed
     files: tuple[InputFile, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
     qualities: tuple[SightingJudged, ...] = ()
     in_convention: InConvention | None = None
     matrix: ScannerToBody | None = None

@@ -3,7 +3,7 @@
 import numpy as np
 
 from lispac.adjustment.result import AdjustmentResult
-from lispac.message_texts import note_text
+from lispac.message_texts import message_text
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Triple
 from lispac.workflow.survey import Survey, data_key, load_survey
@@ -41,7 +41,7 @@ class Held:
     @property
     def notes(self) -> tuple[str, ...]:
         """What was assumed or left out while reading, in words."""
-        return tuple(map(note_text, self.survey.notes))
+        return tuple(map(message_text, self.survey.notes))
 
     @property
     def result(self) -> AdjustmentResult:

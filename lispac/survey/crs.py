@@ -29,7 +29,7 @@ from lispac.geometry.frames import (
     ecef_to_geodetic,
     geodetic_to_ecef,
 )
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.survey.blocks import in_blocks
 from lispac.survey.crs_operation import best_operation
 from lispac.survey.geoid import geoid_grid
@@ -61,9 +61,8 @@ class CoordinateSystem:
         What heights are counted from, in words.
     unit : str
         Of the horizontal coordinates.
-    assumptions : tuple of str
-        What was assumptions, in words.
-    warnings : tuple of Message
+    assumptions : tuple of Message
+        How the system is used.
     metres : three of float
         Metres in each unit of x, y and height; of a degree, what it is at the equator.
     written : pyproj.CRS
@@ -73,7 +72,7 @@ class CoordinateSystem:
     crs: CRS
     height: str
     unit: str
-    assumptions: tuple[str, ...]
+    assumptions: tuple[Message, ...]
     metres: tuple[float, float, float]
     written: CRS
     _height_factor: float
@@ -273,7 +272,7 @@ def _local_system(text: str) -> CoordinateSystem:
     wgs = CRS.from_epsg(4979)
     frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     return CoordinateSystem(
-        wgs, "above the ellipsoid", "metre", ("coordinates in the local frame of the cloud",),
+        wgs, ELLIPSOID, "metre", (note("assumed.local_frame_of_cloud"),),
         (1.0, 1.0, 1.0), wgs, 1.0, Transformer.from_crs(wgs, wgs), None, None, frame=frame,
     )  # fmt: skip
 
@@ -287,12 +286,12 @@ def _settled(
     horizontal, vertical = _parts(crs)
     if not (horizontal.is_projected or horizontal.is_geographic or horizontal.is_geocentric):
         raise InputError(error("crs.not_tied_to_earth", system=_short(crs.name)))
-    assumptions = [f"coordinate system {crs.name}"]
+    assumptions = [note("assumed.system", system=crs.name)]
     grid: Path | None = None
     offset = 0.0
     if HEIGHT_OFFSET.fullmatch(height.strip()):
         offset, vertical = float(height), None
-        assumptions.append(f"{offset:+.3f} m are added to heights")
+        assumptions.append(note("assumed.height_offset", offset=offset))
     elif height.lower().endswith(GRID_ENDINGS):
         grid, vertical = Path(height), None
     elif height == ELLIPSOID:
@@ -300,7 +299,7 @@ def _settled(
     elif height:
         vertical = _vertical(height)
     elif vertical is None and len(crs.axis_info) < 3:
-        assumptions.append("the coordinate system names no heights: taken above the ellipsoid")
+        assumptions.append(note("assumed.heights_not_named"))
     if horizontal.is_geocentric:
         if height:
             raise InputError(error("crs.geocentric_height", system=_short(crs.name)))
@@ -311,13 +310,16 @@ def _settled(
     )  # fmt: skip
     factor, unit = _height_factor(crs, source, height_unit)
     if not height_unit and len(crs.axis_info) < 3:
-        like = "" if crs.is_geographic else ", as the horizontal coordinates"
-        assumptions.append(f"heights in {unit}{like}")
+        code = "assumed.height_unit"
+        if not crs.is_geographic:
+            code = "assumed.height_unit_as_horizontal"
+        assumptions.append(note(code, unit=unit))
     target = _target(horizontal, trajectory_datum)
     assumptions.append(
-        f"trajectory in {target.name}, not shifted to another datum" if not trajectory_datum
-        else f"trajectory in {target.name}, points shifted there from {horizontal.name}"
-    )  # fmt: skip
+        note("assumed.datum_shift", datum=target.name, source=horizontal.name)
+        if trajectory_datum
+        else note("assumed.datum", datum=target.name)
+    )
     to_geographic = best_operation(source, target, epoch)
     above = grid.name if grid else vertical.name if vertical else ELLIPSOID
     return CoordinateSystem(

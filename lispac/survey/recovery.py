@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.mapping import PointMapper
@@ -72,13 +72,9 @@ class Recovery:
     path: Path | None = None
 
     @property
-    def assumptions(self) -> tuple[str, ...]:
-        """What has to hold for the vectors to be those of the scanner, in words."""
-        return (
-            *self.system.assumptions,
-            "the points were made with this trajectory, lever arm and boresight, and were "
-            "not adjusted afterwards",
-        )
+    def assumptions(self) -> tuple[Message, ...]:
+        """What has to hold for the vectors to be those of the scanner."""
+        return (*self.system.assumptions, note("assumed.cloud_made_with"))
 
     @cached_property
     def mapping(self) -> PointMapper:

@@ -7,6 +7,8 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message
+
 
 @dataclass(frozen=True, eq=False)
 class Scan:
@@ -17,14 +19,14 @@ class Scan:
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     time : ndarray of shape (n,), seconds, in the trajectory's time base
     intensity : ndarray of shape (n,) or None
-    assumptions : tuple of str
-        What the reader took for granted, in words.
+    assumptions : tuple of Message
+        What the reader takes for granted.
     """
 
     points_lidar: NDArray[np.float64]
     time: NDArray[np.float64]
     intensity: NDArray[np.float64] | None = None
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[Message, ...] = ()
 
     @cached_property
     def fingerprint(self) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.foreign_values import LEAST_AMOUNT
-from lispac.messages import Message, warning
+from lispac.messages import Message, note, warning
 
 Array = NDArray[np.float64]
 
@@ -130,18 +130,6 @@ class Coverage:
         """Points that can be georeferenced."""
         return self.count - self.outside - self.in_gaps
 
-    def __str__(self) -> str:
-        if not self.count:
-            return "The line has no points."
-        if self.usable == self.count:
-            return "The trajectory covers all points."
-        return (
-            f"{self.count - self.usable:,} of {self.count:,} points cannot be used: "
-            f"{self.outside:,} ({100 * self.share_outside:.1f} %) lie outside the trajectory, "
-            f"{self.in_gaps:,} ({100 * self.share_in_gaps:.1f} %) in gaps of it longer than "
-            f"{self.longest_gap:g} s."
-        )
-
 
 def coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> Coverage:
     """How a trajectory covers one line, or a part of it (join parts with `joined`).
@@ -197,12 +185,8 @@ def short_of_trajectory(own: Array, track: Array, file: str) -> Message | None:
     )  # fmt: skip
 
 
-LEFT_OUT = "are left out"
-"""Said of points of a line that nothing is computed from."""
-
-
-def left_out(covered: Coverage, lost: int) -> str:
-    """What is left out of a line and why, without the file.
+def exclusion_notes(covered: Coverage, lost: int, file: str) -> tuple[Message, ...]:
+    """Notes on the points of a line that have no pose, and why.
 
     Parameters
     ----------
@@ -210,18 +194,22 @@ def left_out(covered: Coverage, lost: int) -> str:
         Of all points of the line.
     lost : int
         Points without a pose.
+    file : str
+        Name of the file of the line.
     """
-    parts = []
+    found, total = [], covered.count
     if covered.outside:
-        parts.append(f"{covered.outside:,} points outside the trajectory's time")
+        found.append(note("import.excluded_outside", file=file, count=covered.outside, total=total))
     if covered.in_gaps:
-        parts.append(
-            f"{covered.in_gaps:,} points in a gap of the trajectory longer than "
-            f"{covered.longest_gap:g} s"
-        )
+        found.append(
+            note(
+                "import.excluded_in_gaps", file=file, count=covered.in_gaps, total=total,
+                limit=covered.longest_gap,
+            )
+        )  # fmt: skip
     if steep := lost - covered.outside - covered.in_gaps:
-        parts.append(f"{steep:,} points where the trajectory's pitch is beyond 80 deg")
-    return f"{' and '.join(parts)}, of {covered.count:,}, {LEFT_OUT}"
+        found.append(note("import.excluded_steep", file=file, count=steep, total=total))
+    return tuple(found)
 
 
 def joined(parts: list[Coverage]) -> Coverage:

@@ -14,11 +14,11 @@ NONE = "none"
 PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK, "full-hour": HOUR}
 """Seconds that times are counted on by, by what is said of them; nothing where it is not one."""
 KEYS = (NONE, *PERIODS)
-_PLACES = {
-    "midnight": "rollover.midnight", "week-end": "rollover.week_end",
-    "full-hour": "rollover.full_hour",
+PLACES: Mapping[str, Message] = {
+    "midnight": note("rollover.midnight"), "week-end": note("rollover.week_end"),
+    "full-hour": note("rollover.full_hour"),
 }  # fmt: skip
-"""Code of the message that names where times start again."""
+"""Names of the moments at which times start again."""
 
 
 def restart_of(times: Array) -> str:
@@ -83,7 +83,7 @@ def restart_message(times: Array, restart: str, file: str) -> Message:
     file : str
         Name of the file.
     """
-    period, place = PERIODS[restart], note(_PLACES[restart])
+    period, place = PERIODS[restart], PLACES[restart]
     before = times[times < period]
     if not len(before):
         return note("import.times_after_restart", file=file, place=place, period=period)

@@ -177,13 +177,12 @@ def bringing_more(found: tuple[Match, ...], share: float) -> Match | None:
     return found[0] if found and found[0].share >= share + CLEARLY_MORE else None
 
 
-def offer(found: tuple[Match, ...], share: float) -> str:
-    """A note on the shift that brings in clearly more than ``share``; empty without one."""
+def shift_note(found: tuple[Match, ...], share: float, file: str) -> Message | None:
+    """The note on the shift that brings in clearly more than ``share``; None without one."""
     best = bringing_more(found, share)
     if best is None:
-        return ""
-    return (
-        f"with {best.shift:+,.3f} s added, {100 * best.share:.1f} % of its points lie inside: "
-        f"where the scanner wrote {best.points.name} and the trajectory is in "
-        f"{best.trajectory.name}, import it again with --time-shift {best.shift:.10g}"
-    )
+        return None
+    return note(
+        "import.shift_possible", file=file, shift=best.shift, share=best.share,
+        points=base_message(best.points), trajectory=base_message(best.trajectory),
+    )  # fmt: skip

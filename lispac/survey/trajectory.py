@@ -38,8 +38,8 @@ class Trajectory:
     height : ndarray of shape (n,), metres above the ellipsoid
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch (positive bow down), heading (clockwise from true north at the vessel).
-    assumptions : tuple of str or Message
-        What the reader took for granted, in words.
+    assumptions : tuple of Message
+        What the reader takes for granted.
     messages : tuple of Message
         Warnings and notes about the states.
     velocity : ndarray of shape (n, 3), metres a second, or None
@@ -53,7 +53,7 @@ class Trajectory:
     longitude: Array
     height: Array
     attitude: Array
-    assumptions: tuple[str | Message, ...] = ()
+    assumptions: tuple[Message, ...] = ()
     messages: tuple[Message, ...] = ()
     velocity: Array | None = None
     attitude_rate: Array | None = None

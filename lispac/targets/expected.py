@@ -1,13 +1,13 @@
 """What the surveyor knows of a target beforehand, compared with what was found."""
 
 from dataclasses import dataclass
-from math import degrees, radians
+from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.messages import error
+from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
 
@@ -45,8 +45,8 @@ def inclination(normal: Array) -> float:
     return float(np.arctan2(np.hypot(normal[0], normal[1]), abs(normal[2])))
 
 
-def deviations(expected: ExpectedTarget, extent: Array, normal: Array) -> tuple[str, ...]:
-    """How a plane differs from what is expected, in words; empty where it agrees.
+def deviations(expected: ExpectedTarget, extent: Array, normal: Array) -> tuple[Message, ...]:
+    """How a plane differs from what is expected; empty where it agrees.
 
     Parameters
     ----------
@@ -54,21 +54,20 @@ def deviations(expected: ExpectedTarget, extent: Array, normal: Array) -> tuple[
         Width (level) and height (up the slope).
     normal : ndarray of shape (3,), local frame
     """
-    said = []
-    sides = (("wide", expected.width, extent[0]), ("high", expected.height, extent[1]))
-    for word, should, is_ in sides:
-        if abs(is_ - should) > max(TOLERANCE, SHARE * should):
-            said.append(
-                f"It is {is_:.2f} m {word}, {abs(is_ - should):.2f} m "
-                f"{'more' if is_ > should else 'less'} than the {should:.2f} m expected."
-            )
+    found = []
+    sides = (
+        ("quality.wider", "quality.narrower", expected.width, float(extent[0])),
+        ("quality.higher", "quality.lower", expected.height, float(extent[1])),
+    )
+    for more, less, wanted, size in sides:
+        off = size - wanted
+        if abs(off) > max(TOLERANCE, SHARE * wanted):
+            code = more if off > 0 else less
+            found.append(note(code, size=size, off=abs(off), expected=wanted))
     if expected.inclination is not None:
         tilt = inclination(normal)
         off = tilt - expected.inclination
         if abs(off) > TILT:
-            said.append(
-                f"It is inclined by {degrees(tilt):.1f} deg, "
-                f"{abs(degrees(off)):.1f} deg {'more' if off > 0 else 'less'} than the "
-                f"{degrees(expected.inclination):.1f} deg expected."
-            )
-    return tuple(said)
+            code = "quality.steeper" if off > 0 else "quality.less_steep"
+            found.append(note(code, tilt=tilt, off=abs(off), expected=expected.inclination))
+    return tuple(found)

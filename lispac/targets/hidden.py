@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.planes import fit_plane, in_plane_axes
+from lispac.messages import Message, note
 
 Array = NDArray[np.float64]
 
@@ -43,25 +44,24 @@ class Shown:
     alone: bool
 
     @property
-    def words(self) -> str:
-        """What there is to say where it shows too little, or more than is believed."""
+    def message(self) -> Message:
+        """The reason where it shows too little, or more than is believed."""
+        width, height = (
+            (float(here), float(there))
+            for here, there in zip(self.size, self.elsewhere, strict=True)
+        )
+        sides = []
         if self.alone:
-            sides = [
-                f"{here:.2f} m {word}, {there:.2f} m there"
-                for word, here, there in self._sides()
-                if here > there
-            ]
-            return f"It shows more than any other line: {' and '.join(sides)}"
-        sides = [
-            f"{here:.2f} of {there:.2f} m {word}"
-            for word, here, there in self._sides()
-            if here < 0.9 * there
-        ]
-        of = f"{100 * self.share:.0f} % of what the other lines show"
-        return f"It shows {of}: {' and '.join(sides)}"
-
-    def _sides(self) -> list[tuple[str, float, float]]:
-        return list(zip(("wide", "high"), self.size, self.elsewhere, strict=True))
+            if width[0] > width[1]:
+                sides.append(note("quality.width_alone", here=width[0], there=width[1]))
+            if height[0] > height[1]:
+                sides.append(note("quality.height_alone", here=height[0], there=height[1]))
+            return note("quality.shows_more", sides=sides)
+        if width[0] < 0.9 * width[1]:
+            sides.append(note("quality.width_of", here=width[0], there=width[1]))
+        if height[0] < 0.9 * height[1]:
+            sides.append(note("quality.height_of", here=height[0], there=height[1]))
+        return note("quality.shows_less", share=self.share, sides=sides)
 
 
 def ends_within(radius: float, extents: Sequence[Array]) -> bool:

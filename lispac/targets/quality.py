@@ -1,4 +1,4 @@
-"""How good one sighting is, with a traffic light and its reason in words."""
+"""How good one sighting is: a traffic light and its reasons."""
 
 from dataclasses import dataclass, replace
 from statistics import NormalDist
@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.geometry.planes import Plane, extent_in_plane, in_plane_axes, rms_distance
 from lispac.geometry.spheres import Sphere, rms_from_sphere, share_seen
+from lispac.messages import Level, Message, Value, note
 from lispac.targets import outline
 from lispac.targets.hidden import HIDDEN, Shown
 from lispac.targets.smear import PRIOR_OFF, met_by_beams, smear_taken_off
@@ -72,7 +73,7 @@ class SightingQuality:
     flatness : "good", "doubtful" or "poor"
         What RMS, curvature and unevenness alone give.
     light : "good", "doubtful" or "poor"
-    reasons : tuple of str
+    reasons : tuple of Message
         Why it is not good, the worst first.
     """
 
@@ -87,18 +88,13 @@ class SightingQuality:
     curved: bool
     unevenness: float | None
     light: Light
-    reasons: tuple[str, ...]
+    reasons: tuple[Message, ...]
     smear: float | None = None
     share_shown: float | None = None
     flatness: Light = "good"
 
-    @property
-    def words(self) -> str:
-        """The light and its reasons as sentences."""
-        return " ".join([f"{self.light.capitalize()}.", *self.reasons])
 
-
-def with_remarks(quality: SightingQuality, remarks: tuple[str, ...]) -> SightingQuality:
+def with_remarks(quality: SightingQuality, remarks: tuple[Message, ...]) -> SightingQuality:
     """The quality with more to doubt; it is doubtful at least where there is any."""
     if not remarks:
         return quality
@@ -106,7 +102,7 @@ def with_remarks(quality: SightingQuality, remarks: tuple[str, ...]) -> Sighting
     return replace(quality, light=light, reasons=(*quality.reasons, *remarks))
 
 
-def undetermined(points: int, rms: float, reason: str) -> SightingQuality:
+def undetermined(points: int, rms: float, reason: Message) -> SightingQuality:
     """The quality of points that form no plane or sphere; ``rms`` in metres."""
     return SightingQuality(
         points,
@@ -187,24 +183,16 @@ def plane_quality(
     flat = _rough(rms, rms_own, noise, threshold)
     if curved:
         flat += _beyond(
-            (sagitta - SIGMAS * doubt) / noise, CURVED,
-            f"It is curved: {1000 * sagitta:.1f} mm over its extent",
-        )  # fmt: skip
-    flat += _beyond(
-        uneven / noise, UNEVEN, f"It is not flat: it departs by {1000 * uneven:.1f} mm (RMS)"
-    )
-    said = _few(len(points))
+            (sagitta - SIGMAS * doubt) / noise, CURVED, note("quality.curved", sagitta=sagitta)
+        )
+    flat += _beyond(uneven / noise, UNEVEN, note("quality.uneven", rms=uneven))
+    found = _few(len(points))
     if incidence is not None:
         degrees = float(np.degrees(incidence))
-        said += _beyond(
-            degrees, OBLIQUE_DEG, f"The beams meet it at {degrees:.0f} deg from its normal"
-        )
-    said += _beyond(
-        -coverage, (-SPARSE[0], -SPARSE[1]),
-        f"Points cover only {100 * coverage:.0f} % of its outline",
-    )  # fmt: skip
-    said += _hidden(shown) + flat
-    light, reasons = _judged(said)
+        found += _beyond(degrees, OBLIQUE_DEG, note("quality.oblique", angle=incidence))
+    found += _beyond(-coverage, (-SPARSE[0], -SPARSE[1]), note("quality.sparse", share=coverage))
+    found += _hidden(shown) + flat
+    light, reasons = _judged(found)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
         extent_in_plane(plane, points), coverage, sagitta, curved, uneven, light, reasons,
@@ -221,12 +209,11 @@ def sphere_quality(
     share = share_seen(sphere, points)
     rms = rms_from_sphere(sphere, points)
     flat = _rough(rms, rms, noise, None)
-    said = _few(len(points)) + flat
-    said += _beyond(
-        -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]),
-        f"Only {100 * share:.0f} % of its surface is seen",
-    )  # fmt: skip
-    light, reasons = _judged(said)
+    found = _few(len(points)) + flat
+    found += _beyond(
+        -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]), note("quality.sphere_part", share=share)
+    )
+    light, reasons = _judged(found)
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), None, None, None, share, None, False, None,
@@ -234,41 +221,51 @@ def sphere_quality(
     )  # fmt: skip
 
 
-def _few(points: int) -> list[tuple[int, str]]:
-    return _beyond(-points, (-FEW_POINTS[0], -FEW_POINTS[1]), f"It has only {points} points")
+Graded = tuple[int, Message]
+"""A reason with how bad it is: 1 doubtful, 2 poor."""
 
 
-def _rough(rms: float, own: float, noise: float, threshold: float | None) -> list[tuple[int, str]]:
-    """By the RMS without what the boresight can explain; the RMS said is that of the points."""
-    said = f"Its RMS of {1000 * rms:.1f} mm is {rms / noise:.1f} times the noise"
-    if f"{own / noise:.1f}" != f"{rms / noise:.1f}":
-        said += f", {own / noise:.1f} times without what the rough boresight explains"
-    said += ": it is rough or not flat"
-    limits = ROUGH
-    if threshold is not None and own > FILLED * threshold:
-        said += f", and more of it lies beyond the threshold of {1000 * threshold:.0f} mm"
-        limits = (ROUGH[0], ROUGH[0])
-    return _beyond(own / noise, limits, said)
+def _few(points: int) -> list[Graded]:
+    return _beyond(
+        -points, (-FEW_POINTS[0], -FEW_POINTS[1]), note("quality.few_points", count=points)
+    )
 
 
-def _hidden(shown: Shown | None) -> list[tuple[int, str]]:
+def _rough(rms: float, own: float, noise: float, threshold: float | None) -> list[Graded]:
+    """By the RMS without what the boresight can explain; the RMS named is that of the points."""
+    ratio, without = rms / noise, own / noise
+    is_filled = threshold is not None and own > FILLED * threshold
+    if round(ratio, 1) == round(without, 1):
+        code = "quality.rough_beyond_threshold" if is_filled else "quality.rough"
+    else:
+        code = "quality.rough_without_prior"
+        if is_filled:
+            code = "quality.rough_without_prior_beyond_threshold"
+    params: dict[str, Value] = {"rms": rms, "ratio": ratio, "without": without}
+    if threshold is not None:
+        params["threshold"] = threshold
+    limits = (ROUGH[0], ROUGH[0]) if is_filled else ROUGH
+    return _beyond(without, limits, Message(code, Level.NOTE, params))
+
+
+def _hidden(shown: Shown | None) -> list[Graded]:
     if shown is None:
         return []
     if shown.alone:
-        return [(1, f"{shown.words}.")]
-    return _beyond(-shown.share, (-HIDDEN[0], -HIDDEN[1]), shown.words)
+        return [(1, shown.message)]
+    return _beyond(-shown.share, (-HIDDEN[0], -HIDDEN[1]), shown.message)
 
 
-def _beyond(value: float, limits: tuple[float, float], text: str) -> list[tuple[int, str]]:
-    """The sentence with how bad it is (1 doubtful, 2 poor), or nothing."""
+def _beyond(value: float, limits: tuple[float, float], reason: Message) -> list[Graded]:
+    """The reason with its grade where a value is beyond the first limit, else nothing."""
     grade = int(value > limits[0]) + int(value > limits[1])
-    return [(grade, f"{text}.")] if grade else []
+    return [(grade, reason)] if grade else []
 
 
-def _judged(said: list[tuple[int, str]]) -> tuple[Light, tuple[str, ...]]:
+def _judged(found: list[Graded]) -> tuple[Light, tuple[Message, ...]]:
     lights: tuple[Light, ...] = ("good", "doubtful", "poor")
-    ranked = sorted(said, key=lambda each: -each[0])
-    return lights[ranked[0][0] if ranked else 0], tuple(text for _, text in ranked)
+    ranked = sorted(found, key=lambda each: -each[0])
+    return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
 
 
 def _cell(placed: Array) -> float:

@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from laspy import ScaleAwarePointRecord
@@ -25,7 +24,7 @@ from lispac.progress import Pace, Progress, no_progress
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
 from lispac.survey.screening import MOST_RANGE, within_range
-from lispac.survey.source import USUAL, Reading
+from lispac.survey.source import USUAL, Reading, printable
 
 Array = NDArray[np.float64]
 
@@ -47,8 +46,8 @@ class Written:
         it is too steep to be interpolated).
     excluded : int
         Left out because they lie farther from the scanner than it measures, or in it.
-    notes : tuple of str or Message
-        What else there is to know.
+    remarks : tuple of Message
+        What of the source is not kept, and assumptions.
     """
 
     path: Path
@@ -56,26 +55,22 @@ class Written:
     outside: int = 0
     in_gaps: int = 0
     excluded: int = 0
-    notes: tuple[str | Message, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     @property
-    def left_out(self) -> Message | None:
-        """Points that were left out, if any."""
-        params: dict[str, Any] = {
-            "file": self.path.name, "count": self.points + self.outside + self.in_gaps,
-        }  # fmt: skip
-        if self.outside and self.in_gaps:
-            return note("export.left_out", outside=self.outside, in_gaps=self.in_gaps, **params)
+    def notes(self) -> tuple[Message, ...]:
+        """Points that are excluded, and the remarks."""
+        found, file = [], printable(self.path.name)
+        total = self.points + self.outside + self.in_gaps
         if self.outside:
-            return note("export.left_out_outside", outside=self.outside, **params)
+            found.append(
+                note("import.excluded_outside", file=file, count=self.outside, total=total)
+            )
         if self.in_gaps:
-            return note("export.left_out_in_gaps", in_gaps=self.in_gaps, **params)
-        return None
-
-    @property
-    def all_notes(self) -> tuple[str | Message, ...]:
-        """What there is to know, with the points that were left out first."""
-        return self.notes if self.left_out is None else (self.left_out, *self.notes)
+            found.append(
+                note("export.excluded_in_gaps", file=file, count=self.in_gaps, total=total)
+            )
+        return (*found, *self.remarks)
 
 
 @dataclass(frozen=True, eq=False)

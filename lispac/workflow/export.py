@@ -10,7 +10,6 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.files import written_whole
 from lispac.language import gettext_lazy
-from lispac.message_texts import message_text, note_text
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
@@ -38,7 +37,7 @@ def content_of(
 ) -> ReportContent:
     """Numbers of the report."""
     project = project.with_data_messages(survey.messages)
-    read = [message_text(each) for each in survey.messages if each.level is Level.NOTE]
+    read = [each for each in survey.messages if each.level is Level.NOTE]
     tracks = {}
     for name, scan in survey.scans.items():
         times = np.linspace(scan.first_time, scan.last_time, 50)
@@ -48,7 +47,7 @@ def content_of(
         headings_deg={n: float(np.degrees(h)) % 360 for n, h in survey.heading.items()},
         counts={name: len(scan) for name, scan in survey.scans.items()},
         track_local=tracks,
-        notes=(*map(note_text, survey.notes), *read),
+        notes=(*survey.notes, *read),
         generated=generated or datetime.now(UTC),
         qualities=qualities(project, survey, progress=progress),
         convention=convention,

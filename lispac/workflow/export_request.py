@@ -69,13 +69,13 @@ def system_of(
 
 def export(
     project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
-) -> tuple[list[Path], tuple[str | Message, ...]]:
+) -> tuple[list[Path], tuple[Message, ...]]:
     """Write what is asked for.
 
     Returns
     -------
     paths : list of Path
-    notes : tuple of str or Message
+    notes : tuple of Message
         What was left out, and assumptions.
 
     Raises
@@ -91,7 +91,7 @@ def export(
             trajectory_datum=request.trajectory_datum, epoch=request.epoch, ending=form,
             progress=progress,
         )  # fmt: skip
-        notes = [note for done in written for note in done.all_notes]
+        notes = [note for done in written for note in done.notes]
         return [done.path for done in written], tuple(dict.fromkeys(notes))
     if request.what == "targets":
         system = system_of(
@@ -102,7 +102,7 @@ def export(
             project, survey, request.output, request.which, system=system, ending=form,
             progress=progress,
         )  # fmt: skip
-        return paths, () if system is None else system.notes
+        return paths, () if system is None else system.assumptions
     if request.what == "planes":
         paths = export_planes(project, survey, request.output, request.which, progress=progress)
         return paths, ()

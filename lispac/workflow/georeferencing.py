@@ -114,10 +114,12 @@ def georeference_project(
                     compressed=ending == "laz",
                     progress=step,
                 )
-                notes = (*done.notes, *_notes_on(target))
+                remarks = (*done.remarks, *_assumptions(target))
                 if chunks.line.name in gone:
-                    notes += (_note_on_kept(chunks.line.name, gone[chunks.line.name]),)
-                written.append(replace(done, notes=notes))
+                    is_kept = gone[chunks.line.name] is not None
+                    code = "export.file_gone" if is_kept else "export.file_and_header_gone"
+                    remarks += (note(code, line=chunks.line.name),)
+                written.append(replace(done, remarks=remarks))
             progress(1.0)
     except BaseException:
         for folder in made:
@@ -138,11 +140,6 @@ def _kept_pattern(stored: StoredLine, path: Path) -> Pattern | None:
 
 def _pattern_of(chunks: Chunks, kept: Pattern | None) -> Callable[[PointChunk], Pattern]:
     return chunks.pattern if kept is None else lambda first: kept
-
-
-def _note_on_kept(name: str, kept: Pattern | None) -> Message:
-    code = "export.kept_points_only" if kept is None else "export.kept_points"
-    return note(code, line=name)
 
 
 def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
@@ -178,8 +175,8 @@ def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[Poin
         )
 
 
-def _notes_on(target: CoordinateSystem | None) -> tuple[str | Message, ...]:
-    return (note("export.local_frame"),) if target is None else target.notes
+def _assumptions(target: CoordinateSystem | None) -> tuple[Message, ...]:
+    return (note("assumed.local_frame"),) if target is None else target.assumptions
 
 
 def require_other_files(project: Project, paths: Sequence[Path]) -> None:

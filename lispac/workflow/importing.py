@@ -13,12 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError, system_reason
+from lispac.foreign_values import InvalidContentError
 from lispac.io.files import require_file
 from lispac.io.formats import is_las
 from lispac.io.las_export import write_header_alone
-from lispac.io.values import encoded
+from lispac.io.values import decoded, encoded
 from lispac.language import gettext_lazy
-from lispac.messages import Message, error, note
+from lispac.message_texts import has_text
+from lispac.messages import Message, as_message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
@@ -167,6 +169,25 @@ def _keep_header(line: LineSource, columns: Path) -> None:
         (columns / HEADER_SUM).write_text(f"{checksum_of(columns / HEADER):08x}\n", "ascii")
 
 
+def assumptions_of(stored: StoredLine) -> tuple[Message, ...]:
+    """What the reader of an imported line takes for granted.
+
+    Raises
+    ------
+    ProjectError
+        Where the store is damaged.
+    """
+    found = []
+    for each in stored.manifest.assumptions:
+        try:
+            message = as_message(each) if isinstance(each, str) else decoded(each, Message)
+        except InvalidContentError as failure:
+            raise ProjectError(error("store.audit_damaged", line=stored.name)) from failure
+        if has_text(message):  # else of another version
+            found.append(message)
+    return tuple(found)
+
+
 def kept_header(stored: StoredLine) -> Path | None:
     """The LAS file without points that holds the header of a stored line's file.
 
@@ -283,9 +304,9 @@ class _Source:
     def __init__(self, points: LinePoints, original: Original) -> None:
         self._points, self._original = points, original
 
-    def findings(self) -> tuple[tuple[str, ...], dict[str, Any]]:
-        """What was assumptions, in words, and the audit as plain values."""
-        return self._points.assumptions, encoded(self._points.found)
+    def findings(self) -> tuple[tuple[dict[str, Any], ...], dict[str, Any]]:
+        """The assumptions and the audit, as plain values."""
+        return tuple(map(encoded, self._points.assumptions)), encoded(self._points.found)
 
     def pieces(self, first: int) -> Iterator[Piece]:
         """Give the usable points from index ``first`` of the file on.

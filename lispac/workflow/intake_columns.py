@@ -6,6 +6,7 @@ from lispac.io.ascii_trajectory import COLUMNS_ASSUMED
 from lispac.io.registry import Finding, Format
 from lispac.io.text_layout import REQUIRED
 from lispac.io.trajectory_columns import ROLES, SIGMAS
+from lispac.language import N_
 from lispac.messages import Message, note
 from lispac.workflow.reading import Look
 
@@ -16,11 +17,23 @@ _ORDER = (
     "roll", "pitch", "heading",
 )  # fmt: skip
 _WORDS = {
-    "time": "Time", "date": "Date", "x": "X", "y": "Y", "z": "Z", "intensity": "Intensity",
-    "latitude": "Latitude", "longitude": "Longitude", "easting": "Easting",
-    "northing": "Northing", "height": "Height (ellipsoid)", "sea_height": "Height (sea level)",
-    "roll": "Roll", "pitch": "Pitch", "heading": "Heading", PASSED_OVER: "Pass over",
-}  # fmt: skip
+    "time": N_("Time"),
+    "date": N_("Date"),
+    "x": N_("X"),
+    "y": N_("Y"),
+    "z": N_("Z"),
+    "intensity": N_("Intensity"),
+    "latitude": N_("Latitude"),
+    "longitude": N_("Longitude"),
+    "easting": N_("Easting"),
+    "northing": N_("Northing"),
+    "height": N_("Height (ellipsoid)"),
+    "sea_height": N_("Height (sea level)"),
+    "roll": N_("Roll"),
+    "pitch": N_("Pitch"),
+    "heading": N_("Heading"),
+    PASSED_OVER: N_("Skip"),
+}
 
 
 def has_columns(format: Format) -> bool:
@@ -36,7 +49,7 @@ def meanings(format: Format) -> tuple[str, ...]:
 
 
 def word_of(meaning: str) -> str:
-    """A meaning as the window shows it; a name of the file's own as it is."""
+    """Label of a meaning, to be translated; a name of the file's own as it is."""
     return _WORDS.get(meaning, meaning)
 
 

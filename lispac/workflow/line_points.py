@@ -26,10 +26,11 @@ from lispac.survey.recovery import Recovery, require_scanner_frame
 from lispac.survey.recovery_check import Sample, recovery_messages, ring_of
 from lispac.survey.scan import Scan
 from lispac.survey.screening import PointScreen, PointSelection
+from lispac.survey.source import printable
 from lispac.survey.store.pieces import Piece
-from lispac.survey.time_quality import Coverage, coverage, joined, left_out
+from lispac.survey.time_quality import Coverage, coverage, exclusion_notes, joined
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.offers import offered, outside
+from lispac.workflow.offers import gain_note, outside
 from lispac.workflow.reading import format_of_line
 
 Array = NDArray[np.float64]
@@ -197,15 +198,16 @@ class LinePoints:
         return (*self._recorded, *recovery_messages(self.line.name, whole, self.recovery))
 
     @property
-    def assumptions(self) -> tuple[str, ...]:
-        """What is assumptions, and which points have no pose, in words."""
-        words = self._assumptions
-        if self._without_pose:
-            name = self.line.path.name
-            words += (f"{name}: {left_out(joined(self._covered), self._without_pose)}",)
-            if more := self._offer():
-                words += (f"{name}: {more}",)
-        return words
+    def assumptions(self) -> tuple[Message, ...]:
+        """What the reader takes for granted, and which points have no pose."""
+        if not self._without_pose:
+            return self._assumptions
+        excluded = exclusion_notes(
+            joined(self._covered), self._without_pose, printable(self.line.path.name)
+        )
+        times = np.concatenate(self._times) if self._times else np.zeros(0)
+        more = gain_note(self.line, times[np.isfinite(times)], self.trajectory.time)
+        return (*self._assumptions, *excluded, *(() if more is None else (more,)))
 
     # -- parts -------------------------------------------------------------------------------
 
@@ -260,11 +262,6 @@ class LinePoints:
         self._covered.append(coverage(finite, self.trajectory.time, self.trajectory.longest_gap))
         self._without_pose += int(np.count_nonzero(~posed)) - (len(time) - len(finite))
         return posed
-
-    def _offer(self) -> str:
-        """The time shift that would bring in more points, in words."""
-        times = np.concatenate(self._times) if self._times else np.zeros(0)
-        return offered(self.line.reading, times[np.isfinite(times)], self.trajectory.time)
 
     def _why_empty(self, read: int) -> Message:
         """Why no point can be used."""

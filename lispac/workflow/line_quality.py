@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.language import gettext_lazy
-from lispac.messages import error
+from lispac.messages import Message, as_message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -94,7 +94,7 @@ class LineQuality:
 
     which: Which
     pairs: tuple[LineDifference, ...]
-    not_compared: tuple[str, ...]
+    not_compared: tuple[Message, ...]
 
     def figures(self, pair: LineDifference, facing: Facing = "all") -> Figures | None:
         """Of a pair; None where too few places face that way."""
@@ -172,7 +172,7 @@ def line_quality(
                 )
             )  # fmt: skip
         except NotComparable as failure:
-            missed.append(str(failure))
+            missed.append(as_message(failure.reason))
     if not found:
         raise NotComparable(error("check.no_common_place", project=project.name, distance=reach))
     progress(1.0)

@@ -12,8 +12,9 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from lispac.errors import InputError
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.project import Project
+from lispac.survey.source import printable
 from lispac.survey.store.layout import is_imported
 from lispac.workflow.importing import line_folder
 
@@ -58,7 +59,7 @@ def with_files_in(project: Project, folder: Path) -> Project:
     return _pointing(project, found)
 
 
-def with_files_beside(project: Project) -> tuple[Project, tuple[str, ...]]:
+def with_files_beside(project: Project) -> tuple[Project, tuple[Message, ...]]:
     """Point a project at missing files that are in its folder or beside it, and say which."""
     found: dict[Path, Path] = {}
     for path in missing(project):
@@ -67,12 +68,12 @@ def with_files_beside(project: Project) -> tuple[Project, tuple[str, ...]]:
             if now is not None:
                 found[path] = now
                 break
-    return _pointing(project, found), tuple(map(found_words, found.values()))
+    return _pointing(project, found), tuple(map(moved_note, found.values()))
 
 
-def found_words(path: Path) -> str:
-    """Where a file is read from that is no longer where it was."""
-    return f"{path.name} was moved: it is read from {path.parent}"
+def moved_note(path: Path) -> Message:
+    """The note on where a file is read from that is no longer where it was."""
+    return note("project_files.moved", file=printable(path.name), folder=str(path.parent))
 
 
 def with_files_of(project: Project, other: Project) -> Project:

@@ -295,7 +295,7 @@ def project_to_change(
         yield open_project(place)
 
 
-def opened_with_notes(folder: Path) -> tuple[Project, tuple[str, ...]]:
+def opened_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]:
     """Open a project as `open_project` does, and say which files were found elsewhere.
 
     Raises

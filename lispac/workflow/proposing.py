@@ -19,6 +19,7 @@ from lispac.causes import RESULT
 from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.language import gettext_lazy
+from lispac.message_texts import english_text
 from lispac.messages import Message, error, warning
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
@@ -289,7 +290,7 @@ def _judged_by(lines: Mapping[str, SightingQuality]) -> _Judged:
     poor = [line for line, quality in lines.items() if quality.light == "poor"]
     rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
     doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
-    words = f" Poor on {listed(poor)}: {lines[poor[0]].reasons[0]}" if poor else ""
+    words = f" Poor on {listed(poor)}: {english_text(lines[poor[0]].reasons[0])}" if poor else ""
     flat = len(doubtful) < MOSTLY * len(lines)
     if len(rough) >= MOSTLY * len(lines):
         return _Judged("not flat", words, flat)

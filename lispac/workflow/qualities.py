@@ -10,6 +10,7 @@ from lispac.errors import LispacError
 from lispac.geometry.planes import extent_in_plane, fit_plane
 from lispac.geometry.spheres import fit_sphere
 from lispac.language import gettext_lazy
+from lispac.messages import Message, as_message, note
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Role, Settings, Target
 from lispac.survey.georeferencing import Georeferencer
@@ -204,8 +205,8 @@ def _of_target(
     return judged
 
 
-def _mistakable(target: Target, survey: Survey, sighting: PickedSighting) -> tuple[str, ...]:
-    """What there is to say where another surface could be taken for the target's."""
+def _mistakable(target: Target, survey: Survey, sighting: PickedSighting) -> tuple[Message, ...]:
+    """The note that another surface could be taken for the target's, where there is one."""
     cloud = survey.aligned.clouds[sighting.line]
     points = cloud[sighting.indices]
     try:
@@ -217,10 +218,7 @@ def _mistakable(target: Target, survey: Survey, sighting: PickedSighting) -> tup
     apart = nearest_like(about.points, points, plane, target.threshold, reach)
     if apart is None:
         return ()
-    return (
-        f"A surface like it stands {apart:.2f} m beside it, and the scene does not tell which of "
-        "the two the line shows here: see in the section that it is the one meant.",
-    )
+    return (note("quality.mistakable", distance=apart),)
 
 
 def _shown(target: Target, placing: _Placing, seen: list[_Seen]) -> list[Shown | None]:
@@ -263,7 +261,7 @@ def _quality(
             return sphere_quality(seen.lidar, seen.local, every, sphere, noise)
         plane = fit_plane(seen.local)
     except LispacError as error:
-        return undetermined(len(every), sighting.rms, str(error))
+        return undetermined(len(every), sighting.rms, as_message(error.reason))
     turns = None
     if placing.turned:
         turned = [each(seen.lidar, seen.time) for each in placing.turned]
@@ -279,9 +277,9 @@ def _quality(
     return with_remarks(quality, deviations(target.expected, quality.extent, plane.normal))
 
 
-def unexpected(target: Target, survey: Survey) -> dict[str, tuple[str, ...]]:
+def unexpected(target: Target, survey: Survey) -> dict[str, tuple[Message, ...]]:
     """How each sighting of a target differs from what is expected of it, in words, by line."""
-    said: dict[str, tuple[str, ...]] = {}
+    said: dict[str, tuple[Message, ...]] = {}
     for sighting in target.sightings if target.expected is not None else ():
         assert target.expected is not None
         points = survey.clouds[sighting.line][sighting.indices]

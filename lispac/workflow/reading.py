@@ -15,7 +15,6 @@ from lispac.io.points import CHOOSE_FRAME, NO_SYSTEM, SCANNER, require_filled, s
 from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.io.static_scan import without_time
-from lispac.io.text import ASSUMPTIONS as TEXT_ASSUMPTIONS
 from lispac.messages import Message, error, note, warning
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.source import printable
@@ -206,7 +205,7 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
     return found.with_positions_only()
 
 
-def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str | Message, ...]]:
+def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, ...]]:
     """The trajectory of a project in its local frame, and the assumptions of its reading.
 
     Raises
@@ -223,7 +222,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[str | Mes
     distance = float(np.linalg.norm(trajectory.position[0]))
     if distance > FARTHEST_ORIGIN:
         raise InputError(error("import.origin_too_far", project=project.name, distance=distance))
-    return trajectory, tuple(raw.assumptions)
+    return trajectory, raw.assumptions
 
 
 def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
@@ -240,15 +239,18 @@ def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
     return found
 
 
-def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[str, ...]]:
+def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[Message, ...]]:
     """How a line is read in chunks, with what options, and what that takes for granted."""
     if line.reading.format:
         format = format_of(line.reading.format)
         choice: Choice = format.settled(dict(line.reading.options))
-        words: tuple[str, ...] = (f"{line.path.name} is {format.name}",)
+        assumed: tuple[Message, ...] = (
+            note("assumed.format", file=printable(line.path.name), format=format.name),
+        )
         if system_of(choice, line.path) is None:
-            words += ("points are in the LiDAR frame",)
-        return format, choice, words
+            assumed += (note("assumed.scanner_frame"),)
+        return format, choice, assumed
     if is_las(line.path):
         return format_of("las"), {}, LAS_ASSUMPTIONS
-    return format_of("text"), {"columns": " ".join(line.columns)}, TEXT_ASSUMPTIONS
+    options = {"columns": " ".join(line.columns)}
+    return format_of("text"), options, (note("assumed.metres_in_scanner_frame"),)

@@ -160,7 +160,7 @@ def read_reference(
     words = "the local frame" if system is None else system.name
     notes = (
         f"coordinates in {words}",
-        *(() if system is None else system.assumptions),
+        *(() if system is None else map(message_text, system.assumptions)),
         *(message_text(each) for each in found.messages if not (crs and each.actions)),
     )
     with path.open("rb") as file:

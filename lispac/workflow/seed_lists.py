@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from lispac.doubles import overlap_words
+from lispac.doubles import overlap_warning
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.seed_file import PointList, read_point_list
 from lispac.language import gettext_lazy
-from lispac.messages import error
+from lispac.messages import Message, as_message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
@@ -45,11 +45,11 @@ class ListedSeed:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a seed: the target, or why there is none."""
+    """What came of a seed: the target with a warning, or the reason why there is none."""
 
     seed: ListedSeed
     target: Target | None
-    reason: str = ""
+    remark: Message | None = None
 
 
 @dataclass(frozen=True)
@@ -58,13 +58,13 @@ class SeedList:
 
     Attributes
     ----------
-    notes : tuple of str
-        What was assumptions, in words.
+    notes : tuple of Message
+        What is assumed about the coordinates.
     """
 
     points: PointList
     seeds: tuple[ListedSeed, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def read_seeds(
@@ -112,7 +112,7 @@ def read_seeds(
         north, west, up = require_near(np.array(point.coordinates), system, trajectory, where)
         place = (float(north), float(west), float(up))
         seeds.append(ListedSeed(point.row, name, own, place, name in taken))
-    return SeedList(points, tuple(seeds), tuple(_notes(points, system)))
+    return SeedList(points, tuple(seeds), _notes(points, system))
 
 
 def role_by_name(name: str) -> Role:
@@ -175,10 +175,10 @@ def pick_seeds(
             target = find(
                 project, survey, seed.place, name=seed.name, role=seed.role, progress=step, **asked
             )
-        except TargetNotFound as error:
-            outcomes.append(Outcome(seed, None, str(error)))
+        except TargetNotFound as failure:
+            outcomes.append(Outcome(seed, None, as_message(failure.reason)))
             continue
-        outcomes.append(Outcome(seed, target, overlap_words(target, project.targets)))
+        outcomes.append(Outcome(seed, target, overlap_warning(target, project.targets)))
         project = project.with_target(target)
     return project, tuple(outcomes)
 
@@ -199,7 +199,7 @@ def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
                 count=len(outcomes),
                 target=first.seed.name,
                 row=first.seed.row,
-                reason=first.reason,
+                reason="" if first.remark is None else first.remark,
             )
         )
 
@@ -230,12 +230,30 @@ def _holder(name: str, role: Role) -> Target:
     return Target(name, role, (0.0, 0.0, 0.0), 1.0, 1.0, ())
 
 
-def _notes(points: PointList, system: CoordinateSystem | None) -> list[str]:
+def _notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message, ...]:
     axes = dict(zip("xyz", axes_of(system), strict=True))
-    meant = ", ".join(
-        axes.get(name, "not used" if name == "-" else name) for name in points.columns
-    )
-    how = "as named" if points.stated else "by their order"
-    where = "the local frame, metres" if system is None else system.name
-    notes = [f"columns {how}: {meant}", f"coordinates in {where}"]
-    return notes if system is None else [*notes, *system.assumptions]
+    columns = tuple(note(_COLUMNS[axes.get(name, name)]) for name in points.columns)
+    code = "assumed.columns_as_named" if points.stated else "assumed.columns_by_order"
+    order = note(code, columns=columns)
+    if system is None:
+        return order, note("assumed.local_frame")
+    return order, note("assumed.list_system", system=system.name), *system.assumptions
+
+
+_COLUMNS = {
+    "name": "list_column.name",
+    "role": "list_column.role",
+    "-": "list_column.unused",
+    "north": "axis.north",
+    "west": "axis.west",
+    "up": "axis.up",
+    "longitude": "axis.longitude",
+    "latitude": "axis.latitude",
+    "height": "axis.height",
+    "X": "axis.x",
+    "Y": "axis.y",
+    "Z": "axis.z",
+    "easting": "axis.easting",
+    "northing": "axis.northing",
+}
+"""Codes of the names of columns and axes."""

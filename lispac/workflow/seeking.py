@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
 from lispac.survey.cloud import MOST, Cloud, Region
@@ -306,14 +306,16 @@ def _nearest(
     return []
 
 
-def thinned_words(target: Target) -> tuple[str, ...]:
-    """What there is to say where not all points about the seed were looked at, in words."""
+def thinned_notes(target: Target) -> tuple[Message, ...]:
+    """Notes on the sightings for which not all points around the seed were used."""
     return tuple(
-        f"{target.name} on {sighting.line}: there are more than {MOST:,} points about the seed; "
-        f"one in {sighting.one_in} of them, fairly drawn, was used"
+        note(
+            "finder.points_thinned", target=target.name, line=sighting.line, most=MOST,
+            one_in=sighting.one_in,
+        )
         for sighting in target.sightings
         if sighting.one_in > 1
-    )
+    )  # fmt: skip
 
 
 def _regions(

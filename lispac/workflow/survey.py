@@ -14,12 +14,10 @@ from lispac.errors import InputError, ProjectError
 from lispac.foreign_values import InvalidContentError
 from lispac.io.formats import format_of, is_las
 from lispac.io.las_chunks import point_count
-from lispac.io.registry import Kind
-from lispac.io.sbet import SHARED_BASE
+from lispac.io.registry import SAME_TIME_BASE, Kind
 from lispac.io.values import decoded
 from lispac.language import gettext_lazy
-from lispac.message_texts import message_text
-from lispac.messages import Level, Message, Value, error
+from lispac.messages import Level, Message, Value, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
@@ -34,7 +32,7 @@ from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_rate import interpolation_messages
 from lispac.targets.alignment import Alignment, align
-from lispac.workflow.importing import import_line, line_folder
+from lispac.workflow.importing import assumptions_of, import_line, line_folder
 from lispac.workflow.line_points import Found, read_line
 from lispac.workflow.moved import require_files
 from lispac.workflow.reading import (
@@ -66,7 +64,7 @@ class Survey:
     scans : points of each line by its name
     clouds : lines in the local frame, placed with the prior mounting, by name
     heading : median heading of the vessel on each line, radians
-    notes : tuple of str or Message
+    notes : tuple of Message
         What was assumed or excluded while reading.
     messages : tuple of Message
         Warnings and notes about the content of the files.
@@ -77,7 +75,7 @@ class Survey:
     scans: Mapping[str, Line]
     clouds: Mapping[str, Cloud]
     heading: Mapping[str, float]
-    notes: tuple[str | Message, ...]
+    notes: tuple[Message, ...]
     messages: tuple[Message, ...] = ()
 
     @property
@@ -150,10 +148,9 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     """
     require_files(project)
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
-    trajectory, notes = local_trajectory(project)
-    notes = _with_shifts(project, notes)
-    accuracy, said = _accuracy(project, trajectory)
-    notes += said
+    trajectory, assumed = local_trajectory(project)
+    accuracy, of_accuracy = _accuracy(project, trajectory)
+    notes = (*_with_shifts(project, assumed), *of_accuracy)
     messages = (*_file_messages(project), *trajectory.messages)
     messages += _accuracy_messages(project, accuracy)
     audits: dict[str, LineAudit] = {}
@@ -164,8 +161,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         step = part(
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
-        scan, cloud, said, found = _opened(project, line, trajectory, step)
-        notes += said
+        scan, cloud, of_line, found = _opened(project, line, trajectory, step)
+        notes += of_line
         if found is None:
             messages += (_not_checked(line.name),)
         else:
@@ -225,23 +222,25 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _with_shifts(project: Project, notes: tuple[str | Message, ...]) -> tuple[str | Message, ...]:
-    """What is assumptions of times, where some lines' are shifted."""
+def _with_shifts(project: Project, assumed: tuple[Message, ...]) -> tuple[Message, ...]:
+    """The assumptions, and the time shifts of lines, where there are any."""
     shifted = [line for line in project.lines if line.reading.time_shift]
     if not shifted:
-        return notes
-    kept = tuple(
-        f"{note} once the shifts are added" if note == SHARED_BASE else note for note in notes
+        return assumed
+    kept = (
+        note("assumed.same_time_base_shifted") if each == SAME_TIME_BASE else each
+        for each in assumed
     )
-    return kept + tuple(
-        f"{line.path.name}: times are shifted by {line.reading.time_shift:+,.3f} s"
+    shifts = (
+        note("assumed.time_shift", file=printable(line.path.name), shift=line.reading.time_shift)
         for line in shifted
     )
+    return (*kept, *shifts)
 
 
 def _accuracy(
     project: Project, trajectory: LocalTrajectory
-) -> tuple[TrajectoryAccuracy, tuple[str | Message, ...]]:
+) -> tuple[TrajectoryAccuracy, tuple[Message, ...]]:
     if project.accuracy is not None:
         accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
         _require_overlap(accuracy, trajectory, project.accuracy)
@@ -252,7 +251,7 @@ def _accuracy(
         np.array(project.settings.position_sigma),
         np.radians(project.settings.attitude_sigma_deg),
     )
-    return typed, ("POS accuracies are the typed ones, the same at all times",)
+    return typed, (note("assumed.constant_accuracy"),)
 
 
 def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[Message, ...]:
@@ -272,8 +271,8 @@ def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[
 
 def _opened(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
-) -> tuple[Line, Cloud, tuple[str, ...], Found | None]:
-    """A line from its store or its file, placed, its assumptions in words, and its audit.
+) -> tuple[Line, Cloud, tuple[Message, ...], Found | None]:
+    """A line from its store or its file, placed, notes on its reading, and its audit.
 
     Raises
     ------
@@ -285,18 +284,16 @@ def _opened(
         imported = import_line(project, line, trajectory, progress=progress)
         stored = imported.stored
         cloud = CloudOnDisk(stored, Georeferencer.of(trajectory, mounting))
-        said = stored.assumptions
+        notes = assumptions_of(stored)
         if imported.reason:
-            said = (message_text(imported.reason), *said)
+            notes = (imported.reason, *notes)
         if not line.path.exists():
-            said += (
-                f"{line.path} is not there; {line.name} is used as it was imported from it before",
-            )
+            notes += (note("import.file_gone", file=str(line.path), line=line.name),)
         try:
             found = decoded(stored.manifest.audit, Found) if stored.manifest.audit else None
         except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
-        return stored, cloud, said, found
+        return stored, cloud, notes, found
     progress(0.0, gettext_lazy("Reading {file}", file=line.path.name))
     scan, found = read_line(line, trajectory, mounting)
     progress(0.7, gettext_lazy("Georeferencing {line}", line=line.name))

@@ -16,10 +16,6 @@ from lispac.workflow.reading import USUAL, format_of_line
 from lispac.workflow.stated_times import known_base
 from lispac.workflow.survey import Survey
 
-NOT_TOLD = (
-    "the times of the lines count seconds of a day or a week and do not tell the date; type it."
-)
-
 
 def survey_dates(project: Project, survey: Survey | None = None) -> str:
     """First and last day (UTC) of the lines, as text; empty where not all of their times tell it.

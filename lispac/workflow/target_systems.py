@@ -114,16 +114,15 @@ def chosen_system(
 
 
 def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[Message, ...]:
-    """Warning about a coordinate system that is meant for another part of the world."""
-    frame = trajectory.frame
-    area = meant_elsewhere(system.crs, math.degrees(frame.latitude), math.degrees(frame.longitude))
-    if not area:
+    """The warning that a coordinate system is meant for another part of the world."""
+    latitude, longitude = trajectory.frame.latitude, trajectory.frame.longitude
+    elsewhere = meant_elsewhere(system.crs, math.degrees(latitude), math.degrees(longitude))
+    if not elsewhere:
         return ()
     return (
         warning(
-            "export.system_elsewhere",
-            system=system.name, area=area, latitude=frame.latitude, longitude=frame.longitude,
-            zone=utm_zone(trajectory),
+            "crs.meant_elsewhere", system=system.name, area=elsewhere, latitude=latitude,
+            longitude=longitude, zone=utm_zone(trajectory),
         ),
     )  # fmt: skip
 

@@ -99,18 +99,12 @@ def _data(project: Project, survey: Survey | None) -> Iterator[Message]:
             yield message
 
 
-def _file(project: Project, about: str | Message) -> Cause:
+def _file(project: Project, about: Message) -> Cause:
     """The line whose file a note is about, where it is one."""
-    if isinstance(about, Message):
-        lines = [
-            line for line in project.lines
-            if about.params.get("file") == printable(line.path.name)
-        ]  # fmt: skip
-    else:
-        lines = [
-            line for line in project.lines
-            if about.startswith((f"{line.path.name}:", f"{line.path} "))
-        ]  # fmt: skip
+    lines = [
+        line for line in project.lines
+        if about.params.get("file") in (printable(line.path.name), str(line.path))
+    ]  # fmt: skip
     return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA
 
 
@@ -121,9 +115,10 @@ def _sightings(
         for sighting in target.used_sightings:
             quality = qualities.get((target.name, sighting.line))
             if quality is not None and quality.light != "good":
+                is_poor = quality.light == "poor"
                 yield note(
-                    "project.sighting_quality",
-                    target=target.name, line=sighting.line, reason=quality.words,
+                    "project.poor_sighting" if is_poor else "project.doubtful_sighting",
+                    target=target.name, line=sighting.line, reasons=quality.reasons,
                     subject=Cause.of_sighting(target.name, sighting.line),
                 )  # fmt: skip
 

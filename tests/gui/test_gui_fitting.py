@@ -228,7 +228,7 @@ def test_a_note_begins_as_large_as_in_english(qtbot: QtBot, qapp: QApplication) 
     try:
         log = LogPanel()
         qtbot.addWidget(log)
-        log.note("LAS coordinates are metres in the LiDAR frame")
+        log.note("Coordinates are metres in the scanner frame.")
         assert log.toPlainText()[10:].startswith("Les coordonnées")
     finally:
         speak("en")

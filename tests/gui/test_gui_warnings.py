@@ -157,8 +157,8 @@ def test_a_scanner_far_below_leads_to_its_z(picked: Driver) -> None:
 def test_a_line_is_selected_and_looked_at(picked: Driver, demo: Demo) -> None:
     """A note of the reader that names the file of a line."""
     line = picked.project.lines[2]
-    said = f"{line.path.name}: 12 points outside the trajectory's time, of 100, are left out"
-    survey = replace(demo.survey, notes=(*demo.survey.notes, said))
+    outside = note("import.excluded_outside", file=line.path.name, count=12, total=100)
+    survey, said = replace(demo.survey, notes=(*demo.survey.notes, outside)), message_text(outside)
     picked.window.document.set_survey(picked.project, survey)
     found = listed(picked)[row_of(picked, said)]
     assert (found.level, found.subject) == (Level.NOTE, Cause.of_line(line.name))

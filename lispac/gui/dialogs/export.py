@@ -259,7 +259,7 @@ class ExportDialog(QDialog):
         if found is None:
             return local
         assumptions = found.assumptions or (found.name,)
-        return [*found.warnings, *assumptions, note("export.epoch")]
+        return [*assumptions, note("export.epoch")]
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(

@@ -3,9 +3,9 @@
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.language import say
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.validation.line_differences import Facing
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.line_quality import Figures, LineQuality
@@ -47,7 +47,7 @@ class LineQualityDialog(StudyDialog):
         table = DiagnosticsTable("line_quality_table", title, _columns())
         super().__init__("line_quality", title, gettext(INTRODUCTIONS[found.which]), table, parent)
         self.show_rows([_row(*row) for row in found.rows()])
-        self.said.setText("\n".join(say(reason) for reason in found.not_compared))
+        self.said.setText("\n".join(map(message_text, found.not_compared)))
         self.said.setVisible(bool(found.not_compared))
         self._draw(found)
         self.resize(900, 760)

@@ -8,7 +8,6 @@ from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.gui.wishes import Wishes
 from lispac.io.text_table import coordinate, coordinates_in
@@ -182,8 +181,7 @@ class SeedDialog(QDialog):
             "the trajectory: {distance:m.1} m.",
             north=north, west=west, up=up, distance=distance,
         )  # fmt: skip
-        warnings = map(message_text, system.warnings)
-        return " ".join([text, *warnings, *say_sentences(system.assumptions)])
+        return " ".join([text, *map(message_text, system.assumptions)])
 
 
 def _introduction(wishes: Wishes) -> str:

@@ -21,9 +21,9 @@ from lispac.errors import LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
-from lispac.gui.language import say, say_message, say_sentences
 from lispac.gui.panels import widgets
 from lispac.language import N_, Plural, gettext, number
+from lispac.message_texts import message_text
 from lispac.project import Project, Role, Target
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.coordinates import away
@@ -61,7 +61,7 @@ class SeedListDialog(QDialog):
             "Roles not given in the list follow the names: names beginning with V are validation "
             "planes, all others are targets."
         )
-        introduction.setText(f"{say(how)}\n{roles}")
+        introduction.setText(f"{how}\n{roles}")
         layout.addWidget(introduction)
         self.columns = QLineEdit()
         self.columns.setObjectName("list_columns")
@@ -124,7 +124,7 @@ class SeedListDialog(QDialog):
                 self._read = read_seeds(
                     self._path, self._project, self._trajectory, self.choice.system, columns=columns
                 )
-                role, text = "muted", " ".join(say_sentences(self._read.notes))
+                role, text = "muted", " ".join(map(message_text, self._read.notes))
             except LispacError as error:
                 text = error_text(error)
         self.said.setText(text)
@@ -175,15 +175,17 @@ class SeedsFoundDialog(QDialog):
         for row, outcome in enumerate(outcomes):
             seed, target = outcome.seed, outcome.target
             if target is None:
-                numbers, remarks = [gettext("none"), ""], [say(outcome.reason)]
+                numbers = [gettext("none"), ""]
             else:
                 points = sum(len(sighting.indices) for sighting in target.sightings)
                 seen = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
                 numbers = [seen, number(points)]
-                remarks = [say(outcome.reason), *_missing(target)]
+            remarks = [] if outcome.remark is None else [message_text(outcome.remark)]
+            if target is not None:
+                remarks += _missing(target)
             _set_row(
                 self.table, row, _name(seed.name, seed.role), seed.role, numbers,
-                "\n".join(remark for remark in remarks if remark),
+                "\n".join(remarks),
             )  # fmt: skip
         layout.addWidget(self.table, 1)
         close = widgets.button(gettext("Close"), "close_found", primary=True)
@@ -218,7 +220,7 @@ def _summary(outcomes: Sequence[Outcome]) -> str:
 def _missing(target: Target) -> list[str]:
     """Lines on which a target was not found, with the reasons."""
     return [
-        gettext("Not on {line}: {reason}", line=line, reason=say_message(reason))
+        gettext("Not on {line}: {reason}", line=line, reason=message_text(reason))
         for line, reason in target.missing.items()
     ]
 

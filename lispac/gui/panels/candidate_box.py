@@ -3,13 +3,13 @@
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
-from lispac.doubles import overlap_words
+from lispac.doubles import overlap_warning
 from lispac.gui import units
-from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
 from lispac.gui.tabbing import ENTERS
 from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
 from lispac.project import Project, Role, Shape, Target
 from lispac.workflow.survey import Survey
 
@@ -93,15 +93,15 @@ class CandidateBox(QFrame):
         self.detail.setToolTip(
             widgets.plain_tip(
                 "\n".join(
-                    gettext("{line}: {reason}", line=line, reason=say_message(reason))
+                    gettext("{line}: {reason}", line=line, reason=message_text(reason))
                     for line, reason in candidate.missing.items()
                 )
             )
         )
         self.lights.show_target(candidate)
-        double = overlap_words(candidate, project.targets)
-        self.double.setText(say(double))
-        self.double.setVisible(bool(double))
+        overlap = overlap_warning(candidate, project.targets)
+        self.double.setText("" if overlap is None else message_text(overlap))
+        self.double.setVisible(overlap is not None)
 
 
 def _comparison_text(target: Target, survey: Survey) -> str:
@@ -113,7 +113,9 @@ def _comparison_text(target: Target, survey: Survey) -> str:
         return gettext("Size and inclination are as expected.")
     line, reasons = next(iter(differences.items()))
     text = gettext(
-        "Not as expected on {line}: {reasons}", line=line, reasons=" ".join(map(say, reasons))
+        "Not as expected on {line}: {reasons}",
+        line=line,
+        reasons=" ".join(map(message_text, reasons)),
     )
     if len(differences) == 1:
         return text

@@ -7,7 +7,6 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.sightings_table import quality_words
 from lispac.language import Plural, gettext
@@ -60,7 +59,7 @@ class LineLights(QWidget):
             if quality is None:
                 judgement = gettext("Quality is being determined")
             else:
-                judgement = say(quality_words(quality))
+                judgement = quality_words(quality)
             rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")
             points = gettext(POINTS, line=line, count=len(sighting.indices), rms=rms)
             for each in (light, name):

@@ -15,9 +15,10 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_message
+from lispac.gui.language import say_message
 from lispac.gui.panels import quantities, widgets
 from lispac.language import N_, Plural, gettext, number
+from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.quality import Light, SightingQuality
 from lispac.workflow.survey import Survey
@@ -242,7 +243,7 @@ class SightingsModel(QAbstractTableModel):
             )
         ]  # fmt: skip
         if (quality := self._qualities.get((target.name, sighting.line))) is not None:
-            lines.append(say(quality_words(quality)))
+            lines.append(quality_words(quality))
         if sighting.by_hand:
             edited = gettext("Points edited with the lasso")
             lines.append(f"{EDITED} {edited}")
@@ -341,10 +342,10 @@ def _mm(metres: float) -> str:
 
 
 def quality_words(quality: SightingQuality) -> str:
-    """The quality, its reasons (in English) and the values behind them, one on each line."""
+    """The quality, its reasons and the values behind them, one on each line."""
     lines = [
         gettext(_LIGHTS[quality.light]),
-        *quality.reasons,
+        *map(message_text, quality.reasons),
         gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
     ]
     if quality.density is not None:

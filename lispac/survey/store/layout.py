@@ -175,7 +175,9 @@ class Manifest:
         the mounting where it went into the vectors.
     placed_with : mapping
         What the order in space follows from: the mounting.
-    assumptions : tuple of str
+    assumptions : tuple of mapping
+        Messages about what the reader takes for granted, as plain values; texts in a store of an
+        earlier version.
     audit : mapping
         `LineAudit` of the points of the file, as plain values; empty for a line imported by a
         version without one.
@@ -197,7 +199,7 @@ class Manifest:
     original: Original
     made_with: Mapping[str, Any] = field(default_factory=dict)
     placed_with: Mapping[str, Any] = field(default_factory=dict)
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[Mapping[str, Any] | str, ...] = ()
     audit: Mapping[str, Any] = field(default_factory=dict)
 
     @property
@@ -272,7 +274,7 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         manifest.side, manifest.reach, *manifest.low, *manifest.high, manifest.first_time,
         manifest.last_time,
     ]  # fmt: skip
-    words = [manifest.line, manifest.fingerprint, *manifest.assumptions]
+    words = [manifest.line, manifest.fingerprint]
     for column in (*manifest.columns, *manifest.attributes):
         words += [column.name, column.file]
         counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
@@ -293,6 +295,7 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         and max(abs(manifest.first_time), abs(manifest.last_time)) <= LARGEST_TIME
         and _has_mounting_values(manifest.placed_with)
         and {column.name for column in manifest.columns} >= OWN_FILES
+        and all(isinstance(each, dict | str) for each in manifest.assumptions)
         and isinstance(manifest.made_with, dict)
         and isinstance(manifest.placed_with, dict)
         and isinstance(manifest.audit, dict)

@@ -94,11 +94,6 @@ class StoredLine:
         """That of the points as read from the file, in its order: the one picks are kept with."""
         return self.manifest.fingerprint
 
-    @property
-    def assumptions(self) -> tuple[str, ...]:
-        """What the reader took for granted, in words."""
-        return self.manifest.assumptions
-
     @cached_property
     def points_lidar(self) -> NDArray[np.float32]:
         """All points, shape (n, 3), metres, LiDAR frame."""

@@ -92,13 +92,13 @@ class End:
     ----------
     read : int
         Points of the file, with those left out.
-    assumptions : tuple of str
-        What was assumptions, in words.
+    assumptions : tuple of mapping
+        Messages as plain values; texts where an earlier version wrote it.
     audit : mapping of plain values
     """
 
     read: int
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[Mapping[str, Any] | str, ...] = ()
     audit: Mapping[str, Any] = field(default_factory=dict)
 
 

@@ -48,8 +48,8 @@ BYTES_PER_POINT = 100
 
 Pieces = Callable[[int], Iterator[Piece]]
 """Gives the points of a file from an index on."""
-Findings = Callable[[], tuple[tuple[str, ...], dict[str, Any]]]
-"""Gives what was assumptions and the audit, once a file is read."""
+Findings = Callable[[], tuple[tuple[dict[str, Any], ...], dict[str, Any]]]
+"""Gives the assumptions and the audit as plain values, once a file is read."""
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.import_files.dialog import MOUNTING, ImportDialog
-from lispac.gui.language import say
 from lispac.gui.settings import AppSettings
 from lispac.language import gettext
 from lispac.project import LineSource, Project
@@ -38,7 +37,7 @@ class AddLinesDialog(ImportDialog):
             return gettext(
                 "No line has been added. Drop the scan files of the lines here, or use Add files."
             )
-        return say(self.intake.files_problem())
+        return self.intake.files_problem()
 
     def _hint(self) -> str:
         if any(line.georeferenced for line in self.intake.lines):

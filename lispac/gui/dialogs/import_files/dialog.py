@@ -32,13 +32,13 @@ from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
 from lispac.gui.dialogs.import_files.work import Work
 from lispac.gui.dialogs.questions import Questions
 from lispac.gui.drops import FileDrops
-from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
 from lispac.installed import expanded
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.language import Plural, gettext
+from lispac.message_texts import message_text
 from lispac.messages import Action
 from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
 from lispac.workflow.sensors import library
@@ -304,13 +304,13 @@ class ImportDialog(QDialog):
 
     def _problem(self) -> str:
         """Why the import is not complete; empty where it is."""
-        return say(self.intake.problem(self.folder.text()))
+        return self.intake.problem(self.folder.text())
 
     def _hint(self) -> str:
         """Warning about the mounting before the import."""
         if not (warnings := self.mounting.doubts):
             return ""
-        warning = say_message(warnings[0])
+        warning = message_text(warnings[0])
         if more := len(warnings) - 1:
             return gettext(
                 Plural(

@@ -16,24 +16,13 @@ from lispac.gui.dialogs.import_files import words
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
 from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
-from lispac.gui.language import say, say_sentences
 from lispac.gui.panels import widgets
 from lispac.language import gettext
-from lispac.message_texts import note_text
+from lispac.message_texts import fact_text, message_text
 from lispac.messages import Action
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 from lispac.workflow.intake_remarks import option_to_choose
-
-ASSUMED = "assumed"
-"""Fact of a file of points that is an assumption."""
-
-OF_THE_FILE = {
-    "attributes", "columns", "comments", "coordinate system", "fields", "folder", "header",
-    "written by",
-}  # fmt: skip
-"""Facts that are quoted from the file and not translated."""
-NOTHING = ("none", "not known", "not named", "not stated")
 
 
 class FilePage(QWidget):
@@ -138,15 +127,11 @@ class FilePage(QWidget):
         self._facts_of = (entry.path, finding)
         while self.facts.rowCount():
             self.facts.removeRow(0)
-        facts = {} if finding is None else dict(finding.facts)
-        assumed = [] if finding is None else [note_text(each) for each in finding.assumptions]
-        if ASSUMED in facts:
-            assumed += [facts.pop(ASSUMED)]
+        assumed = () if finding is None else finding.assumptions
         self._add_fact(gettext("Folder"), str(entry.path.parent))
-        for name, value in facts.items():
-            is_quoted = name.lower() in OF_THE_FILE and value not in NOTHING
-            self._add_fact(words.option_name(name), value if is_quoted else say(value))
-        self.assumptions.setText("\n".join(say_sentences(assumed)))
+        for name, fact in ({} if finding is None else finding.facts).items():
+            self._add_fact(words.fact_name(name), fact_text(fact))
+        self.assumptions.setText("\n".join(map(message_text, assumed)))
         self._assumed_head.setVisible(bool(assumed))
         self.assumptions.setVisible(bool(assumed))
 

@@ -15,10 +15,11 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say, say_message
+from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
 
@@ -154,7 +155,9 @@ class FileTable(QTableWidget):
 
     def _fill_format(self, row: int, entry: Entry) -> None:
         formats = entry.formats if entry.given is None else (entry.format,)
-        items: list[tuple[str, object]] = [(say(each.name), each.key) for each in formats if each]
+        items: list[tuple[str, object]] = [
+            (message_text(each.name), each.key) for each in formats if each
+        ]
         chosen = entry.format.key if entry.format is not None and items else None
         items = items or [(words.NO_VALUE, None)]
         self._fill_choice(row, FORMAT, entry, items, chosen, self.format_chosen)

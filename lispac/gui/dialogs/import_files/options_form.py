@@ -4,10 +4,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say, say_message, say_sentences
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.language import gettext
+from lispac.message_texts import message_text
 from lispac.workflow.intake_entry import Entry
 
 _GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
@@ -59,8 +59,7 @@ class OptionsForm(QWidget):
                 if is_stated
                 else gettext("Detected in the file, or default value.")
             )
-            (meaning,) = say_sentences([option.meaning])
-            field.setToolTip(widgets.plain_tip(f"{meaning}\n{origin}"))
+            field.setToolTip(widgets.plain_tip(f"{gettext(option.meaning)}\n{origin}"))
         self._show_system(entry)
 
     def ask(self, name: str) -> None:
@@ -86,7 +85,7 @@ class OptionsForm(QWidget):
     def _field(self, option: Option) -> QComboBox | QLineEdit:
         name = option.name
         if option.choices:
-            combo = widgets.Choice(f"option_{name}", [""], say(option.meaning))
+            combo = widgets.Choice(f"option_{name}", [""], gettext(option.meaning))
             combo.clear()
             for value in option.choices:
                 combo.addItem(words.option_value(name, value), value)
@@ -118,7 +117,7 @@ class OptionsForm(QWidget):
             return
         self.system.setVisible(True)
         self.system.setText(
-            say_message(place.error)
+            message_text(place.error)
             if place.error
             else gettext("Coordinate system: {system}.", system=place.system)
         )

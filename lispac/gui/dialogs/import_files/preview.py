@@ -5,7 +5,6 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.language import gettext
 from lispac.workflow.intake_columns import PASSED_OVER, has_columns, meanings, word_of
@@ -67,7 +66,7 @@ class Preview(QTableWidget):
         elif entry.format is not None and entry.format.key in NAMED:
             heads = names
         else:
-            heads = say_all(names)
+            heads = list(map(gettext, names))
         self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
         for k in range(columns if mapped else 0):
             self._add_combo(entry, k)
@@ -89,7 +88,7 @@ class Preview(QTableWidget):
         combo = widgets.Choice(f"column_{column + 1}", [""], gettext("Meaning of this column"))
         combo.clear()
         for meaning in meanings(entry.format):
-            combo.addItem(say(word_of(meaning)), meaning)
+            combo.addItem(gettext(word_of(meaning)), meaning)
         combo.setAccessibleName(gettext("Meaning of column {number:n}", number=column + 1))
         combo.setItemData(0, QColor(theme.MUTED), Qt.ItemDataRole.ForegroundRole)
         combo.activated.connect(lambda: self.meaning_chosen.emit(column, combo.currentData()))

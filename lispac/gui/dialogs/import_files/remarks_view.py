@@ -7,10 +7,9 @@ from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
-from lispac.message_texts import action_text, action_tip
+from lispac.message_texts import action_text, action_tip, message_text
 from lispac.messages import Action, Level, Message
 
 _MARKS = {
@@ -59,7 +58,7 @@ class RemarksView(QScrollArea):
         if not remarks and fine:
             self._put(_row("check-circle-outline", "done", N_("OK"), fine)[0])
         for place, message in enumerate(remarks):
-            row, layout = _row(*_MARKS[message.level], say_message(message))
+            row, layout = _row(*_MARKS[message.level], message_text(message))
             for action in message.actions:
                 button = self._button(action, message, place)
                 layout.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
@@ -78,7 +77,7 @@ class RemarksView(QScrollArea):
         name = f"remedy_{len(self.buttons)}"
         made = widgets.button(action_text(action), name, tip=action_tip(action))
         made.setAutoDefault(False)
-        made.setAccessibleDescription(say_message(message))
+        made.setAccessibleDescription(message_text(message))
         made.clicked.connect(lambda: self.remedy_chosen.emit(action, place))
         self.buttons.append(made)
         return made

@@ -3,12 +3,13 @@
 from PySide6.QtGui import QIcon
 
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.io.line_times import LineTimes
 from lispac.io.registry import Kind
 from lispac.language import N_, Plural, gettext, number
+from lispac.message_texts import fact_text, message_text
 from lispac.messages import Level
 from lispac.survey.time_base import KEYS, TimeBase, base_of
+from lispac.survey.time_stated import base_message
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake import Intake
 from lispac.workflow.intake_entry import Entry
@@ -54,6 +55,57 @@ _OPTIONS = {
     "withheld": N_("Withheld points"),
 }
 """Labels of the options."""
+_FACTS = {
+    "attributes": N_("Attributes"),
+    "columns": N_("Columns"),
+    "Columns": N_("Columns"),
+    "comments": N_("Comments"),
+    "coordinate system": N_("Coordinate system"),
+    "Date of mission": N_("Date of the mission"),
+    "decimal": N_("Decimal sign"),
+    "Duration": N_("Duration"),
+    "End": N_("End"),
+    "fields": N_("Fields"),
+    "format": N_("Format"),
+    "frame": N_("Frame"),
+    "Header": N_("Header"),
+    "Height": N_("Height"),
+    "Latitude": N_("Latitude"),
+    "Longitude": N_("Longitude"),
+    "Made from": N_("Made from"),
+    "Mapping frame": N_("Mapping frame"),
+    "points": N_("Points"),
+    "Position north": N_("Position north"),
+    "Position west": N_("Position west"),
+    "Position up": N_("Position up"),
+    "Rate": N_("Rate"),
+    "Records": N_("Records"),
+    "resolution": N_("Resolution"),
+    "Roll and pitch": N_("Roll and pitch"),
+    "Rows": N_("Rows"),
+    "separator": N_("Separator"),
+    "Sigma north": N_("Standard deviation north"),
+    "Sigma east": N_("Standard deviation east"),
+    "Sigma height": N_("Standard deviation of height"),
+    "Sigma roll": N_("Standard deviation of roll"),
+    "Sigma pitch": N_("Standard deviation of pitch"),
+    "Sigma heading": N_("Standard deviation of heading"),
+    "Sign of roll": N_("Sign of roll"),
+    "Sign of pitch": N_("Sign of pitch"),
+    "Speed": N_("Speed"),
+    "Start": N_("Start"),
+    "time base": N_("Time base"),
+    "time from, to": N_("Time"),
+    "unit": N_("Unit"),
+    "Velocities": N_("Velocities"),
+    "viewpoint": N_("Viewpoint"),
+    "Wander angle": N_("Wander angle"),
+    "written by": N_("Written by"),
+    "x from, to": N_("X"),
+    "y from, to": N_("Y"),
+    "z from, to": N_("Z"),
+}
+"""Labels of the facts about a file."""
 _AUTOMATIC = {
     "restart": N_("automatic"),
     "grid_unit": N_("as the coordinate system"),
@@ -137,7 +189,7 @@ def count(entry: Entry) -> str:
     if isinstance(content, Trajectory | TrajectoryAccuracy):
         return number(len(content.time))
     facts = {} if entry.finding is None else entry.finding.facts
-    return next((say(facts[name]) for name in _COUNTS if name in facts), NO_VALUE)
+    return next((fact_text(facts[name]) for name in _COUNTS if name in facts), NO_VALUE)
 
 
 def span(entry: Entry) -> str:
@@ -189,10 +241,13 @@ def state_icon(intake: Intake, entry: Entry) -> QIcon:
 
 
 def option_name(name: str) -> str:
-    """Label of an option, or of a fact about a file."""
-    if name in _OPTIONS:
-        return gettext(_OPTIONS[name])
-    return say(name.replace("_", " ").capitalize())
+    """Label of an option."""
+    return gettext(_OPTIONS.get(name, name))
+
+
+def fact_name(name: str) -> str:
+    """Label of a fact about a file."""
+    return gettext(_FACTS.get(name, name))
 
 
 def option_value(name: str, value: str) -> str:
@@ -202,7 +257,7 @@ def option_value(name: str, value: str) -> str:
     if (name, value) in _OF_OPTION:
         return gettext(_OF_OPTION[name, value])
     if value in KEYS:
-        return say(base_of(value).name)
+        return message_text(base_message(base_of(value)))
     return gettext(_VALUES[value]) if value in _VALUES else value
 
 
@@ -210,4 +265,5 @@ def time_axis(base: TimeBase | None) -> str:
     """Title of an axis of time."""
     if base is None:
         return gettext("Time (s)")
-    return say(f"{base.name[:1].upper()}{base.name[1:]}")
+    text = message_text(base_message(base))
+    return f"{text[:1].upper()}{text[1:]}"
