@@ -17,6 +17,7 @@ import lispac
 from lispac.cli import check, patchtest, pick, propose, quality, targetless, warnings
 from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
+from lispac.message_texts import english_text
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject
 from lispac.patchtest.pairs import LinePair
@@ -227,14 +228,15 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     found = Targetless(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
     out, _ = told(capsys, "targetless", project.folder)
-    assert out.splitlines()[-len(found.sentences) :] == list(found.sentences)
+    remarks = list(map(english_text, found.remarks))
+    assert out.splitlines()[-len(remarks) :] == remarks
     assert "boresight  " in out
     assert read_project(project.folder).opinions == ()
     numbers = answer(capsys, "targetless", project.folder, "--keep")
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
-    assert numbers["remarks"] == list(found.sentences)
+    assert numbers["remarks"] == remarks
     wanted = {"rounds": 3, "settled": False, "candidates": 40, "targets": 0}
     assert {key: numbers[key] for key in wanted} == wanted
     assert numbers["disagreeing_lines"] == ["L6"]

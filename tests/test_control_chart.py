@@ -11,6 +11,7 @@ from matplotlib.dates import date2num
 
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
+from lispac.messages import note
 from lispac.report.control_charts import control_figure
 from lispac.validation.control_chart import CHANCE, control_chart, limits
 from lispac.validation.repeatability import Calibration
@@ -118,7 +119,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert [each["day"] for each in again["systems"][0]["calibrations"]] == [
         "2024-05-02", "2025-05-02", "2025-09-30",
     ]  # fmt: skip
-    assert any("rests on the same lines as" in remark for remark in again["systems"][0]["remarks"])
+    assert any("has the same lines as" in remark for remark in again["systems"][0]["remarks"])
     shutil.rmtree(copy)
     assert picture.read_bytes().startswith(b"\x89PNG")
     code, out, error = run(capsys, "history", tmp_path, "--vessel", "AURORA")
@@ -127,7 +128,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "spring" not in out
     assert "undated" not in error  # it is of the other vessel
     code, out, _ = run(capsys, "history", tmp_path, "--vessel", "Nordlys")
-    assert "autumn differs from those before it (pitch by +0.2995 deg" in out
+    assert "autumn differs from the calibrations before it (pitch by +0.2995 deg" in out
 
 
 def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -180,11 +181,8 @@ def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = histories([tmp_path])
-    assert remarks == ("Not used: b has no result yet.",)
+    assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
     told = {history.entries[0].project.name: history.remarks for history in found}
-    sentence = (
-        "These projects do not name vessel, scanner and INS/GNSS: whether they are of one system "
-        "is not known."
-    )
-    assert sentence not in told["a"]  # its scanner is named
-    assert sentence in told["c"]
+    unnamed = note("history.unnamed_system")
+    assert unnamed not in told["a"]  # its scanner is named
+    assert unnamed in told["c"]

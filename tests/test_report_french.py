@@ -18,6 +18,7 @@ from matplotlib.text import Text
 from lispac.adjustment.error_budget import error_budget
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.language import in_language
+from lispac.messages import error, note
 from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
 from lispac.report.blocks import Bullets, Drawing, Paragraph, Signature, Table
@@ -144,15 +145,12 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
         reference="quay.xyz", size_bytes=12_345, sha256="a" * 64, kind=kind,
         system="the local frame" if kind == "scan" else "WGS 84 / UTM zone 19N", sigma=0.002,
         reach=0.5, lines=lines, together=LineCheck(ALL_LINES, state(-0.08), state(mean)),
-        unseen=(
-            "L3: the reference has no flat place within 0.5 m of this line; scan what it has seen, "
-            "or widen the reach",
-            "L4: 1,004 of 1,200 flat places of the reference within 0.5 m of this line have enough "
-            "of its points before and after the calibration, and 30 must; scan more of what it has "
-            "seen and where it is denser, or widen the reach",
-            "L5: no surveyed point has a flat place of this line within 0.5 m before and after the "
-            "calibration; survey points where it is denser, or widen the reach",
-            "No line has a flat place within 0.5 m of P7, P9.",
+        not_compared=(
+            note(
+                "check.line_not_compared",
+                line="L3", reason=error("check.no_reference_near", distance=0.5),
+            ),
+            note("check.points_not_compared", distance=0.5, points=["P7", "P9"]),
         ),
         bin_edges=(-0.1, 0.0, 0.1), counts_before=(40, 10), counts_after=(20, 30),
         points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, mean, 0.004),),
@@ -164,10 +162,7 @@ def test_second_opinions_are_told_in_french(project: Project) -> None:
     assert project.result is not None
     for k, (method, off) in enumerate(zip(METHODS, (0.0, 0.3, 0.004), strict=True)):
         angles = project.result.boresight + np.radians([off, off, 0.0])
-        remarks = (
-            "The answer rests on 30 of 99 natural surfaces that lines share; rounds of "
-            "matching: 3.",
-        ) * (k == 1)
+        remarks = (note("targetless.basis", used=30, total=99, rounds=3),) * (k == 1)
         said = Opinion(
             method, angles, np.array(project.result.covariance), ("L1", "L2"), 30, remarks
         )

@@ -10,6 +10,7 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.compare_methods import compare_methods
 from lispac.cli.console import UsageError, print_json
+from lispac.message_texts import english_text, message_text
 from lispac.validation.repeatability import (
     Calibration,
     Difference,
@@ -47,14 +48,14 @@ def compare(arguments: Namespace) -> None:
                 "calibrations": [_calibration(each) for each in found],
                 "differences": [_difference(each) for each in against],
                 "together": _together(together) | {"counted": [each.name for each in counted]},
-                "remarks": list(compared.remarks),
+                "remarks": [english_text(each) for each in compared.remarks],
             }
         )
         return
     _print(found, against, together, len(counted))
     sys.stdout.flush()
     for remark in compared.remarks:
-        print(f"note: {remark}", file=sys.stderr)
+        print(f"note: {message_text(remark)}", file=sys.stderr)
 
 
 def _print(

@@ -9,6 +9,7 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.io.files import written_whole
+from lispac.message_texts import english_text, message_text
 from lispac.validation.control_chart import limits
 from lispac.workflow.history import Entry, History, histories, verdict
 
@@ -20,13 +21,18 @@ def history(arguments: Namespace) -> None:
     if arguments.picture is not None:
         _draw(arguments, found[0])
     if arguments.json:
-        print_json({"systems": [_system(each) for each in found], "remarks": list(remarks)})
+        print_json(
+            {
+                "systems": [_system(each) for each in found],
+                "remarks": [english_text(each) for each in remarks],
+            }
+        )
         return
     for each in found:
         _print(each)
     sys.stdout.flush()
-    for remark in [*remarks, *(words for each in found for words in each.remarks)]:
-        print(f"note: {remark}", file=sys.stderr)
+    for remark in [*remarks, *(own for each in found for own in each.remarks)]:
+        print(f"note: {message_text(remark)}", file=sys.stderr)
 
 
 def _print(history: History) -> None:
@@ -44,7 +50,7 @@ def _print(history: History) -> None:
         )
         print(f"{each.day.isoformat():12s}{found.name:{width}s}{cells}")
     for each in history.entries:
-        print(verdict(each))
+        print(message_text(verdict(each)))
     print()
 
 
@@ -62,7 +68,7 @@ def _system(history: History) -> dict[str, Any]:
     return {
         "system": vars(history.system),
         "calibrations": [_entry(each) for each in history.entries],
-        "remarks": list(history.remarks),
+        "remarks": [english_text(each) for each in history.remarks],
     }
 
 

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.panels.histograms import preload
 from lispac.installed import home_folder
 from lispac.language import N_, gettext
+from lispac.messages import Message
 from lispac.progress import Progress, part
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute
@@ -57,7 +58,7 @@ class Studies(QObject):
         if folder is None:
             return
 
-        def work(progress: Progress) -> tuple[tuple[History, ...], tuple[str, ...]]:
+        def work(progress: Progress) -> tuple[tuple[History, ...], tuple[Message, ...]]:
             preload()
             # An answer that is not saved yet counts too.
             current = [] if project is None or project.result is None else [project]

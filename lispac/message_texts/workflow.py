@@ -156,8 +156,38 @@ TEXTS: Mapping[str, Template] = {
         "{project}: its dates ({dates}) contain no day like 2026-03-04. Set one with lispac "
         "identity {project} --dates, or in Details for the report."
     ),
+    "history.same_lines": N_("Not used: {folder} has the same lines as {other}."),
+    "history.unnamed_system": N_(
+        "These projects do not name vessel, scanner and INS/GNSS, so they may be of different "
+        "systems."
+    ),
+    "history.first": N_("{name} is the first calibration."),
+    "history.moved": N_(
+        "{name} differs from the calibrations before it ({angle} by {change:deg.4+} deg, "
+        "{ratio:x.1} of its sigmas): the mounting has moved, or one of the calibrations is wrong. "
+        "A new series begins."
+    ),
+    "history.agrees": N_(
+        "{name} lies within the limits of the calibrations before it (largest difference: {angle} "
+        "by {change:deg.4+} deg, {ratio:x.1} of its sigmas)."
+    ),
     # -- repeat --------------------------------------------------------------------------------
     "repeat.given_twice": N_("{folder}: this project is given twice."),
+    "repeat.same_lines": N_(
+        "{name} uses the same lines as {other}, so the two are not independent. The result of all "
+        "together counts them once."
+    ),
+    "repeat.shared_lines": N_(
+        "{name} uses {shared:n} of the lines of {other}, so the two are not independent. They "
+        "agree better than two surveys would, and are less certain together than stated."
+    ),
+    "repeat.lever_arm": N_(
+        "{name} has another lever arm than {other}. Part of the difference may come from it."
+    ),
+    "repeat.pos_errors": N_(
+        "{name} and {other} have different models of the POS errors, so their standard deviations "
+        "are not comparable."
+    ),
     # -- sensor --------------------------------------------------------------------------------
     "sensor.no_scanner": N_(
         "There is no scanner named {name} in the library. Give one of {known:names}."
@@ -195,6 +225,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- check ---------------------------------------------------------------------------------
     "check.line_not_compared": N_("{line}: {reason}"),
+    "check.points_not_compared": N_(
+        "No line has a flat place within {distance:m} m of {points:names}."
+    ),
     # -- project_files -------------------------------------------------------------------------
     "project_files.many_missing": N_(
         "{file}: this file does not exist, and {count:n} other files are missing too "

@@ -9,13 +9,12 @@ from lispac.report.absolute_values import Absolute
 from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
 from lispac.report.wording import grouped, signed
-from lispac.reverse_translation.translation import Say, unchanged
 
 _BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 _AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 
 
-def absolute_figure(found: Absolute, _say: Say = unchanged, figure: Figure | None = None) -> Figure:
+def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
     figure = blank(figure, (6.3, 2.5))
     axes = figure.subplots(gridspec_kw=USUAL)

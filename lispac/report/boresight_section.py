@@ -14,10 +14,12 @@ from lispac.report.wording import (
     in_unit,
     known,
     quantity,
+    sentence,
     shortest,
     signed,
     title,
 )
+from lispac.reverse_translation.messages import translated_text
 
 VARIANCE_FACTOR = N_("{factor}, from the given sigmas")
 VARIANCE_FACTOR_COMPONENTS = N_(
@@ -110,7 +112,7 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
         rows(_parameter_row(p) for p in adjustment.parameters),
     )
     blocks: list[Block] = [table]
-    reasons = tuple(p.reason for p in adjustment.parameters if p.reason)
+    reasons = tuple(sentence(p.reason) for p in adjustment.parameters if p.reason)
     if reasons:
         blocks.append(Bullets(reasons))
     if any(p.value is not None for p in adjustment.parameters):
@@ -182,7 +184,7 @@ def _observability(content: ReportContent, found: Seen) -> list[Block]:
     )
     blocks: list[Block] = [
         Paragraph(gettext("How well the lines determine the angles:")),
-        Bullets((*found.in_words, condition)),
+        Bullets((*map(translated_text, found.in_words), condition)),
     ]
     if found.sigma_without_line_deg:
         deg = degrees_unit()

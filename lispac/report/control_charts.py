@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
-from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.control_chart import Charted, limits
 from lispac.validation.repeatability import NORMAL_95
 
@@ -28,7 +27,6 @@ def control_figure(
     days: Sequence[date],
     charted: Sequence[Charted],
     figure: Figure | None = None,
-    _say: Say = unchanged,
 ) -> Figure:
     """Each angle with its 95 % interval, and the limits from the earlier calibrations.
 

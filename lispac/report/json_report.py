@@ -36,23 +36,23 @@ def json_text(content: ReportContent) -> str:
     values = {
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,
-        **asdict(_in_english(content)),
+        **asdict(english_values(content)),
         "cautions": [asdict(_caution(each)) for each in content.cautions],
     }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _in_english(value: Any) -> Any:
+def english_values(value: Any) -> Any:
     """Values with the English text of each message among them."""
     if isinstance(value, Message):
         return english_text(value)
     if is_dataclass(value) and not isinstance(value, type):
         held = ((each.name, getattr(value, each.name)) for each in fields(value))
-        return replace(value, **{name: _in_english(each) for name, each in held})
+        return replace(value, **{name: english_values(each) for name, each in held})
     if isinstance(value, tuple):
-        return tuple(map(_in_english, value))
+        return tuple(map(english_values, value))
     if isinstance(value, Mapping):
-        return {name: _in_english(each) for name, each in value.items()}
+        return {name: english_values(each) for name, each in value.items()}
     return value
 
 

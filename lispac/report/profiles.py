@@ -9,7 +9,6 @@ from matplotlib.figure import Figure
 from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.validation_values import Against, ValidationPlane
-from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.results import PlaneComparison
 
 CURVES: Mapping[tuple[str, str], str] = {
@@ -23,9 +22,7 @@ COLOURS = {"before": BEFORE, "after": AFTER}
 STYLES = {"median": "-", "p95": "--"}
 
 
-def profile_figure(
-    comparison: PlaneComparison, figure: Figure | None = None, _say: Say = unchanged
-) -> Figure:
+def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
     """Median (full) and 95th percentile (dashed) of the distances, before and after."""
     profiles = [
         None if each is None else Against.of(each)

@@ -1,23 +1,18 @@
 """Texts of a report's content that other parts of the program make in English, translated."""
 
-import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TypeVar
 
 from lispac.adjustment.shown import capitalised
-from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
 from lispac.report.convention_values import InConvention
-from lispac.report.opinion_values import MethodAnswer
-from lispac.report.values import Adjustment, CrossChecked, ReportContent
-from lispac.report.wording import MINUS
+from lispac.report.values import Adjustment, ReportContent
+from lispac.report.wording import HYPHEN, MINUS, with_minus
 from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.reverse_translation.messages import translated_text
 from lispac.reverse_translation.translation import Translator
 
-HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
-"""A hyphen before a number."""
 FACTORS = " · "
 """Between the rotations of a formula."""
 
@@ -59,22 +54,11 @@ def warnings_and_notes(content: ReportContent, say: Say) -> tuple[tuple[str, ...
     return serious, notes
 
 
-def with_minus(text: str, names: Iterable[str] = ()) -> str:
-    """The text of a message with true minus signs, as the tables have them; names stay."""
-    whole = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
-    pattern = re.compile(f"{whole}|{HYPHEN.pattern}" if whole else HYPHEN.pattern)
-    return pattern.sub(lambda found: MINUS if found.group() == "-" else found.group(), text)
-
-
 def translated(content: ReportContent, say: Say) -> ReportContent:
     """The content with its English sentences translated; numbers, names and codes stay."""
     return replace(
         content,
         adjustment=_if_known(content.adjustment, lambda found: _adjustment(found, say)),
-        cross_checks=_if_known(content.cross_checks, lambda found: _cross_checks(found, say)),
-        validation=tuple(
-            replace(plane, measured_to=say(plane.measured_to)) for plane in content.validation
-        ),
         notes=tuple(map(say, content.notes)),
         qualities=tuple(
             replace(each, reasons=tuple(map(say, each.reasons))) for each in content.qualities
@@ -84,10 +68,7 @@ def translated(content: ReportContent, say: Say) -> ReportContent:
             content.matrix,
             lambda found: replace(found, body_axes=tuple(map(say, found.body_axes))),
         ),
-        absolute=_if_known(content.absolute, lambda found: _absolute(found, say)),
         budget=_if_known(content.budget, lambda found: _budget(found, say)),
-        methods=tuple(_method(each, say) for each in content.methods),
-        methods_in_words=tuple(map(say, content.methods_in_words)),
     )
 
 
@@ -96,22 +77,7 @@ def _if_known(found: Part | None, change: Callable[[Part], Part]) -> Part | None
 
 
 def _adjustment(found: Adjustment, say: Say) -> Adjustment:
-    seen = found.observability
-    return replace(
-        found,
-        rotation_in_words=say(found.rotation_in_words),
-        observability=_if_known(
-            seen, lambda seen: replace(seen, in_words=tuple(map(say, seen.in_words)))
-        ),
-        parameters=tuple(replace(each, reason=say(each.reason)) for each in found.parameters),
-        components=tuple(replace(each, in_words=say(each.in_words)) for each in found.components),
-    )
-
-
-def _cross_checks(found: CrossChecked, say: Say) -> CrossChecked:
-    return replace(
-        found, parts=tuple(replace(part, reason=say(part.reason)) for part in found.parts)
-    )
+    return replace(found, rotation_in_words=say(found.rotation_in_words))
 
 
 def _convention(found: InConvention, say: Say) -> InConvention:
@@ -136,14 +102,6 @@ def _convention(found: InConvention, say: Say) -> InConvention:
     )
 
 
-def _absolute(found: Absolute, say: Say) -> Absolute:
-    return replace(
-        found,
-        not_compared=tuple(map(say, found.not_compared)),
-        in_words=tuple(map(say, found.in_words)),
-    )
-
-
 def _budget(found: Budget, say: Say) -> Budget:
     return replace(
         found,
@@ -161,7 +119,3 @@ def _budget(found: Budget, say: Say) -> Budget:
         ),
         in_words=tuple(map(say, found.in_words)),
     )
-
-
-def _method(found: MethodAnswer, say: Say) -> MethodAnswer:
-    return replace(found, remarks=tuple(map(say, found.remarks)))

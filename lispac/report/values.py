@@ -6,6 +6,7 @@ document shows the same numbers. Texts are English; `lispac.report.translated` t
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from lispac.identity import Identity
 from lispac.messages import Message
@@ -153,7 +154,7 @@ class ExtraParameter:
     sigma: float | None
     significance: float | None
     significant: bool | None
-    reason: str
+    reason: Message | Literal[""]
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,7 @@ class Seen:
     directions: tuple[tuple[float, ...], ...]
     condition: float | None
     sigma_without_line_deg: Mapping[str, tuple[float, ...] | None]
-    in_words: tuple[str, ...]
+    in_words: tuple[Message, ...]
 
 
 @dataclass(frozen=True)
@@ -215,7 +216,7 @@ class VarianceComponent:
     lower: float
     upper: float
     applied: bool
-    in_words: str
+    in_words: Message
 
 
 @dataclass(frozen=True)
@@ -232,7 +233,7 @@ class CheckedPart:
     difference_deg: tuple[float, ...] | None
     significance: tuple[float, ...] | None
     disagrees: bool
-    reason: str
+    reason: Message | Literal[""]
 
 
 @dataclass(frozen=True)
@@ -355,4 +356,4 @@ class ReportContent:
     budget: Budget | None = None
     trajectory: tuple[TrajectoryOnLine, ...] = ()
     methods: tuple[MethodAnswer, ...] = ()
-    methods_in_words: tuple[str, ...] = ()
+    methods_in_words: tuple[Message, ...] = ()

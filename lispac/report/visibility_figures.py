@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from lispac.language import N_, gettext
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank, dress
 from lispac.report.wording import fixed, title
-from lispac.reverse_translation.translation import Say, unchanged
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, Visibility
 
@@ -84,7 +83,6 @@ def visibility_figure(
     error: str,
     criterion: str,
     figure: Figure | None = None,
-    _say: Say = unchanged,
 ) -> Figure:
     """One criterion of one error: six lines over the inclination of the board.
 

@@ -17,7 +17,7 @@ from lispac.adjustment.solver import adjust
 from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
-from lispac.messages import Level, Message, error
+from lispac.messages import Level, Message, as_message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
 from lispac.survey.georeferencing import Mounting, place
@@ -324,7 +324,7 @@ def check(
     """A project with a result, and what was left out for haste: a further line, the cross-checks.
 
     For what was solved without advice: a click is followed at once, and this comes after it. The
-    result is the same but for the sentence on a further line.
+    result is the same but for the remark on a further line.
     """
     assert project.result is not None
     observations, _ = _chosen(project, selected, survey)
@@ -334,13 +334,14 @@ def check(
 
 
 def _advised(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with a sentence on the further line that would help most."""
+    """The result with a remark on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
     if seen is None or not (said := advice(judged, result)):
         return result
-    return replace(result, observability=replace(seen, sentences=(*seen.sentences, said)))
+    remarks = (*seen.remarks, as_message(said))
+    return replace(result, observability=replace(seen, remarks=remarks))
 
 
 def _chosen(

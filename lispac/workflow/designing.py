@@ -37,7 +37,8 @@ def words_of(plan: Plan, *, progress: Progress = no_progress) -> tuple[str, ...]
         if not predict(plan).determined:
             return (message_text(UNDETERMINED),)
         with one_thread():
-            return observability(foretold(plan), progress=progress).sentences
+            found = observability(foretold(plan), progress=progress)
+            return tuple(map(message_text, found.remarks))
     except RankDeficient as failure:
         return (str(failure),)
 

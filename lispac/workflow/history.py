@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
-from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
@@ -74,7 +74,7 @@ class History:
 
     system: System
     entries: tuple[Entry, ...]
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
 
 def projects_in(folders: Sequence[Path]) -> list[Path]:
@@ -102,7 +102,7 @@ def histories(
     vessel: str | None = None,
     also: Iterable[Project] = (),
     progress: Progress = no_progress,
-) -> tuple[tuple[History, ...], tuple[str, ...]]:
+) -> tuple[tuple[History, ...], tuple[Message, ...]]:
     """The history of each system that has a calibration in these folders.
 
     Parameters
@@ -164,27 +164,21 @@ def histories(
         group.append(each)
     found = sorted((_history(group) for group in groups), key=lambda each: -len(each.entries))
     progress(1.0, f"{len(known)} calibrations of {len(found)} systems")
-    remarks = tuple(message_text(note("history.excluded", reason=each)) for each in excluded)
-    return tuple(found), remarks
+    return tuple(found), tuple(note("history.excluded", reason=each) for each in excluded)
 
 
-def verdict(entry: Entry) -> str:
-    """What the calibrations before it say of one, in a sentence."""
+def verdict(entry: Entry) -> Message:
+    """Comparison of a calibration with those before it."""
     charted = entry.charted
     name, change = charted.calibration.name, charted.change
     if change is None:
-        return f"{name} is the first."
+        return note("history.first", name=name)
     largest = int(np.argmax(np.abs(change.significance)))
-    told = (
-        f"{ANGLES[largest]} by {np.degrees(change.angles[largest]):+.4f} deg, "
-        f"{abs(change.significance[largest]):.1f} of its sigmas"
-    ).replace("-", "\u2212")
-    if charted.moved:
-        return (
-            f"{name} differs from those before it ({told}): the mounting has moved, or one of the "
-            "calibrations is wrong. A new series begins."
-        )
-    return f"{name} lies within the limits that those before it set (most off: {told})."
+    return note(
+        "history.moved" if charted.moved else "history.agrees",
+        name=name, angle=quantity(ANGLES[largest]), change=change.angles[largest],
+        ratio=abs(change.significance[largest]),
+    )  # fmt: skip
 
 
 def _history(group: Sequence[tuple[date, Project]]) -> History:
@@ -200,10 +194,7 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
         remarks += remarks_on(names[k - 1 : k + 1], projects[k - 1 : k + 1])
     system = System.of(projects[0])
     if not any(getattr(system, name) for name in SYSTEM):
-        remarks.append(
-            "These projects do not name vessel, scanner and INS/GNSS: whether they are of one "
-            "system is not known."
-        )
+        remarks.append(note("history.unnamed_system"))
     entries = [
         Entry(project, day, charted) for (day, project), charted in zip(group, chart, strict=True)
     ]
@@ -212,16 +203,15 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
 
 def _once(
     group: Sequence[tuple[date, Project]],
-) -> tuple[list[tuple[date, Project]], list[str]]:
+) -> tuple[list[tuple[date, Project]], list[Message]]:
     """Each survey once: a second project on the same lines tells nothing new of the mounting."""
     kept: list[tuple[date, Project]] = []
     remarks = []
     for day, project in group:
         same = [known for _, known in kept if same_lines(known, project)]
         if same:
-            remarks.append(
-                f"Left out: {project.folder} rests on the same lines as {same[0].folder}."
-            )
+            folder, other = str(project.folder), str(same[0].folder)
+            remarks.append(note("history.same_lines", folder=folder, other=other))
         else:
             kept.append((day, project))
     return kept, remarks

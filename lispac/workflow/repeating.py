@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import ProjectError
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
@@ -25,7 +25,7 @@ class Compared:
 
     each: tuple[Calibration, ...]
     counted: tuple[Calibration, ...]
-    remarks: tuple[str, ...]
+    remarks: tuple[Message, ...]
 
 
 def calibrations_of(folders: Sequence[Path]) -> Compared:
@@ -56,16 +56,13 @@ def calibrations_of(folders: Sequence[Path]) -> Compared:
         if project.result is not None
     ]
     counted: list[int] = []
-    remarks = []
+    remarks: list[Message] = []
     for k, project in enumerate(projects):
         first = next((j for j in counted if same_lines(projects[j], project)), None)
         if first is None:
             counted.append(k)
         else:
-            remarks.append(
-                f"{names[k]} rests on the same lines as {names[first]}: the two are not "
-                "independent, and all together counts them once."
-            )
+            remarks.append(note("repeat.same_lines", name=names[k], other=names[first]))
     remarks += remarks_on(names, projects)
     return Compared(tuple(found), tuple(found[k] for k in counted), tuple(remarks))
 
@@ -87,26 +84,16 @@ def names_of(projects: Sequence[Project]) -> list[str]:
     ]
 
 
-def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[str]:
-    """What makes the later ones hard to compare with the first."""
-    said = []
-    first = projects[0]
+def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
+    """What limits the comparison of the later ones with the first."""
+    found = []
+    first, other = projects[0], names[0]
     for name, project in zip(names[1:], projects[1:], strict=True):
         shared = shared_lines(first, project)
         if shared and not same_lines(first, project):
-            said.append(
-                f"{name} rests on {len(shared)} of the lines of {names[0]}: the two are not "
-                "independent. They agree better than two surveys would, and are less certain "
-                "together than it is said."
-            )
+            found.append(note("repeat.shared_lines", name=name, shared=len(shared), other=other))
         if project.settings.lever_arm != first.settings.lever_arm:
-            said.append(
-                f"{name} has another lever arm than {names[0]}: part of the difference may come "
-                "from it."
-            )
+            found.append(note("repeat.lever_arm", name=name, other=other))
         if project.settings.pos_errors != first.settings.pos_errors:
-            said.append(
-                f"{name} and {names[0]} have different models of the POS errors: their sigmas are "
-                "not of one kind."
-            )
-    return said
+            found.append(note("repeat.pos_errors", name=name, other=other))
+    return found

@@ -6,10 +6,11 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog, angle_columns
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import N_, gettext, short_date
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.workflow.history import Entry, History, System, verdict
 
 DISTANCE = 50.0
@@ -36,7 +37,10 @@ class HistoryDialog(StudyDialog):
     """Shows one system at a time, first that with most calibrations."""
 
     def __init__(
-        self, histories: Sequence[History], remarks: Sequence[str], parent: QWidget | None = None
+        self,
+        histories: Sequence[History],
+        remarks: Sequence[Message],
+        parent: QWidget | None = None,
     ) -> None:
         title = gettext("Calibrations over the years")
         table = DiagnosticsTable("history_table", title, _columns())
@@ -63,13 +67,12 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.said.setText("\n".join(say_all((*history.remarks, *self._remarks))))
+        self.said.setText("\n".join(map(message_text, (*history.remarks, *self._remarks))))
         self.said.setVisible(bool(self.said.text()))
         control_figure(
             [each.day for each in history.entries],
             [each.charted for each in history.entries],
             self.figure(),
-            say,
         )
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(
@@ -119,4 +122,4 @@ def _row(entry: Entry) -> Row:
         result = gettext("first calibration")
     else:
         result = gettext("has moved") if charted.moved else gettext("agrees")
-    return Row((*cells, Cell(result)), marked=charted.moved, tip=verdict(entry))
+    return Row((*cells, Cell(result)), marked=charted.moved, tip=message_text(verdict(entry)))

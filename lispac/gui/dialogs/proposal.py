@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui import theme, units
-from lispac.gui.language import local_number, say, say_message
+from lispac.gui.language import local_number, say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
 from lispac.workflow.proposing import Proposal
@@ -96,7 +96,7 @@ class ProposalDialog(QDialog):
             lines = [sighting.line for sighting in target.sightings]
             seen = QTableWidgetItem(str(len(lines)))
             seen.setToolTip(widgets.plain_tip(gettext("Observed on {lines:names}", lines=lines)))
-            text = say(proposal.reasons[target.name])
+            text = say_message(proposal.reasons[target.name])
             reason = QTableWidgetItem(text)
             reason.setToolTip(widgets.plain_tip(text))
             for column, item in enumerate((name, role, seen, reason)):

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
@@ -70,7 +69,7 @@ class VisibilityDialog(StudyDialog):
             gettext("Systematic error to show"),
         )  # fmt: skip
         self.criterion = widgets.Choice(
-            "visibility_criterion", [each.title for each in CRITERIA.values()],
+            "visibility_criterion", [gettext(each.title) for each in CRITERIA.values()],
             gettext("Criterion to draw"),
         )  # fmt: skip
         choices = QHBoxLayout()
@@ -122,7 +121,7 @@ class VisibilityDialog(StudyDialog):
         self.error.blockSignals(True)
         chosen = self.error.currentIndex()
         self.error.clear()
-        self.error.addItems(say_all(error_in_words(each) for each in found.site.errors))
+        self.error.addItems([error_in_words(each) for each in found.site.errors])
         self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
         self.error.blockSignals(False)
         rows = comparison_table(found, found.site.errors).rows
@@ -147,19 +146,15 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_figures import error_in_words, visibility_figure
 
         found, error, criterion = self._drawn
-        visibility_figure(found, error, criterion, self.figure(), say)
+        visibility_figure(found, error, criterion, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(f"{self.criterion.currentText()}, {self.error.currentText()}")
         self._clear_reading()
-        texts = [say(self._summary)]
+        texts = [self._summary]
         if reason := self._reasons[self.error.currentIndex()]:
-            name = say(error_in_words(error))
-            texts.insert(
-                0,
-                gettext(
-                    "{error} compared with the thesis: {reason}", error=name, reason=say(reason)
-                ),
-            )
+            name = error_in_words(error)
+            template = N_("{error} compared with the thesis: {reason}")
+            texts.insert(0, gettext(template, error=name, reason=reason))
         self.said.setText("\n".join(texts))
 
     def _clear_reading(self) -> None:
@@ -170,7 +165,7 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_tables import reading
 
         if event.inaxes is not None:
-            self.reading.setText(say(reading(*self._drawn, event.xdata)))
+            self.reading.setText(reading(*self._drawn, event.xdata))
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""
@@ -178,4 +173,4 @@ class VisibilityDialog(StudyDialog):
 
         table = plot_table(*self._drawn)
         lines = [[column.title for column in table.columns], *table.rows]
-        return "\n".join("\t".join(map(say, line)) for line in lines) + "\n"
+        return "\n".join(map("\t".join, lines)) + "\n"

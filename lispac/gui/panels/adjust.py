@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.stochastic import PosErrors
 from lispac.errors import InputError
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.adjust_model import ModelSettings
 from lispac.gui.panels.adjust_parameters import ParameterSwitches
@@ -161,7 +160,7 @@ class AdjustPanel(QWidget):
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """Fill in the project's settings where they changed."""
         self._ready, self._project = status.ready and not busy, project
-        self.advice.setText(say(status.advice))
+        self.advice.setText(status.advice)
         settings = None if project is None else project.settings
         if settings is not None and settings != self._settings:
             self._settings = settings
@@ -187,7 +186,7 @@ class AdjustPanel(QWidget):
         try:
             self.settings()
         except InputError as error:
-            self._show_problem(say(str(error)))
+            self._show_problem(str(error))
         else:
             self.problem.setText("")
             self.problem.hide()

@@ -3,7 +3,6 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QFormLayout, QHBoxLayout, QWidget
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.language import N_, gettext
@@ -131,7 +130,7 @@ class ValidatePanel(QWidget):
         """Enable what can be done now."""
         if project is not None:
             self._follow(project)
-        self.advice.setText(say(status.advice))
+        self.advice.setText(status.advice)
         self.run.allow(status.ready and not busy)
         self.after.setEnabled(project is not None and project.result is not None)
 
