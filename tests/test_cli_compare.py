@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from lispac.io.project_file import write_project
+from lispac.message_texts import english_text
+from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.repeating import remarks_on
 from lispac.workflow.same_lines import shared_lines
@@ -64,14 +66,18 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["remarks"]
-    assert any("b rests on the same lines as a" in remark for remark in remarks)
-    assert any("another lever arm than a" in remark for remark in remarks)
+    for found in (
+        note("repeat.same_lines", name="b", other="a"),
+        note("repeat.lever_arm", name="b", other="a"),
+    ):
+        assert english_text(found) in remarks
     part = replace(
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["remarks"]
-    assert any("c rests on 1 of the lines of a" in remark for remark in remarks)
+    found = note("repeat.shared_lines", name="c", shared=1, other="a")
+    assert english_text(found) in remarks
 
 
 def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -134,8 +140,7 @@ def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:
     changed = replace(first, lines=first.lines[:3])
     told = remarks_on(("a", "b"), (changed, other))
     assert told == [
-        "b rests on 1 of the lines of a: the two are not independent. They agree better than two "
-        "surveys would, and are less certain together than it is said.",
-        "b has another lever arm than a: part of the difference may come from it.",
-        "b and a have different models of the POS errors: their sigmas are not of one kind.",
+        note("repeat.shared_lines", name="b", shared=1, other="a"),
+        note("repeat.lever_arm", name="b", other="a"),
+        note("repeat.pos_errors", name="b", other="a"),
     ]

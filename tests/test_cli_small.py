@@ -167,7 +167,7 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
     assert len(bench.pairs) == 3
     rows = told(capsys, "patchtest", project.folder, *mine)[0].splitlines()
     assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
-    assert "The answer rests on 2 objects and 3 lines." in rows
+    assert "The result is based on 2 objects and 3 lines." in rows
 
 
 def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) -> None:

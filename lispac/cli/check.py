@@ -7,7 +7,7 @@ from dataclasses import asdict
 
 from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, opened, print_json
-from lispac.message_texts import message_text
+from lispac.message_texts import message_text, note_text
 from lispac.report.absolute_values import Absolute, AgainstReference
 from lispac.report.json_report import english_values
 from lispac.workflow.absolute import check_absolute
@@ -29,7 +29,7 @@ def check(arguments: Namespace) -> None:
     assert project.absolute is not None
     found = Absolute.of(project.absolute)
     for note in notes:
-        print(f"note: {note}", file=sys.stderr)
+        print(f"note: {plain(note_text(note))}", file=sys.stderr)
     if arguments.json:
         print_json(asdict(english_values(found)))
         return

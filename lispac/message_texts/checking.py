@@ -181,16 +181,16 @@ TEXTS: Mapping[str, Template] = {
     "method.targetless": N_("targetless method"),
     "method.patch_test": N_("patch test"),
     "methods.agree": N_(
-        "No significant difference between {method} and {other}: a point at {distance:m.0} m moves "
-        "by {displacement:mm.0} mm."
+        "No significant difference between the {method} and the {other}: a point at "
+        "{distance:m.0} m moves by {displacement:mm.0} mm."
     ),
     "methods.differ": N_(
-        "Significant difference between {method} and {other} in {angles:names}: a point at "
+        "Significant difference between the {method} and the {other} in {angles:names}: a point at "
         "{distance:m.0} m moves by {displacement:mm.0} mm."
     ),
     "methods.differ_together": N_(
-        "Significant difference between {method} and {other} in all angles together: a point at "
-        "{distance:m.0} m moves by {displacement:mm.0} mm."
+        "Significant difference between the {method} and the {other} in all angles together: a "
+        "point at {distance:m.0} m moves by {displacement:mm.0} mm."
     ),
     "methods.same_lines": N_(
         "All methods use the same lines, so no comparison shows an error of the trajectory that "

@@ -19,7 +19,6 @@ from lispac.report.wording import (
     signed,
     title,
 )
-from lispac.reverse_translation.messages import translated_text
 
 VARIANCE_FACTOR = N_("{factor}, from the given sigmas")
 VARIANCE_FACTOR_COMPONENTS = N_(
@@ -184,7 +183,7 @@ def _observability(content: ReportContent, found: Seen) -> list[Block]:
     )
     blocks: list[Block] = [
         Paragraph(gettext("How well the lines determine the angles:")),
-        Bullets((*map(translated_text, found.in_words), condition)),
+        Bullets((*map(sentence, found.in_words), condition)),
     ]
     if found.sigma_without_line_deg:
         deg = degrees_unit()

@@ -67,7 +67,7 @@ def check_absolute(
     sigma: float = SIGMA,
     reach: float = REACH,
     progress: Progress = no_progress,
-) -> tuple[Project, tuple[str, ...]]:
+) -> tuple[Project, tuple[Message | str, ...]]:
     """Measure every line against a reference, with the prior and the estimated boresight.
 
     Parameters
@@ -88,8 +88,8 @@ def check_absolute(
     -------
     project : Project
         With the check.
-    notes : tuple of str
-        What was assumptions, in words.
+    notes : tuple of Message or str
+        How the reference was read, and warnings about it.
 
     Raises
     ------
