@@ -1,9 +1,11 @@
 """Answers of several methods side by side (the program's own table 4.4 of the thesis)."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from lispac.adjustment.message_parts import quantities
 from lispac.adjustment.result import ANGLES
-from lispac.adjustment.shown import listed
+from lispac.messages import Message, note
 from lispac.opinions import METHODS, Method
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration, Difference, difference
@@ -12,18 +14,13 @@ TARGETS = "targets"
 FAR = 50.0
 """Metres at which it is said what a difference does to a point."""
 
-SHARED = (
-    "All methods rest on the same lines. What an error of the trajectory does to all of them alike "
-    "no comparison shows, and as they share it, their difference is judged by more than its own "
-    "sigma: where they differ, something is wrong; that they agree is no proof."
-)
-
-WANTED: dict[Method, str] = {
-    "natural planes": "the same adjustment on the validation planes instead of the targets",
-    "targetless": "surfaces of the scene that no one picked",
-    "patch test": "lines turned until they meet on objects",
+NAMES: Mapping[str, str] = {
+    TARGETS: "method.targets",
+    "natural planes": "method.natural_planes",
+    "targetless": "method.targetless",
+    "patch test": "method.patch_test",
 }
-"""What each method is."""
+"""Code of each method's name as part of a message."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,14 +35,14 @@ class Answer:
         That the answer rests on.
     against : Difference or None
         From the first answer to this one; None for the first.
-    remarks : tuple of str
+    remarks : tuple of Message
     """
 
     calibration: Calibration
     lines: int
     surfaces: int
     against: Difference | None
-    remarks: tuple[str, ...]
+    remarks: tuple[Message, ...]
 
     @property
     def method(self) -> str:
@@ -57,7 +54,7 @@ def answers(project: Project) -> tuple[Answer, ...]:
     """The answers that there are, that of the targets first; each is held against the first."""
     found: list[Answer] = []
 
-    def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[str, ...]) -> None:
+    def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:
         against = difference(found[0].calibration, said) if found else None
         found.append(Answer(said, lines, surfaces, against, remarks))
 
@@ -81,22 +78,19 @@ def missing(project: Project) -> tuple[Method, ...]:
     return tuple(method for method in METHODS if project.opinion(method) is None)
 
 
-def sentences(found: tuple[Answer, ...]) -> tuple[str, ...]:
-    """What is to be thought of the answers."""
+def remarks_on(found: tuple[Answer, ...]) -> tuple[Message, ...]:
+    """Whether the methods agree, one remark for each but the first, and what limits this."""
     if len(found) < 2:
         return ()
-    said = [_verdict(each.against) for each in found if each.against is not None]
-    return (*said, SHARED)
+    compared = [_comparison(each.against) for each in found if each.against is not None]
+    return (*compared, note("methods.same_lines"))
 
 
-def _verdict(against: Difference) -> str:
-    one, other = against.second.capitalize(), against.first
-    moved = f"{100 * against.displacement(FAR):.1f}"
-    if not against.differ:
-        return f"{one} and {other} agree: a point {FAR:.0f} m away moves by {moved} cm."
-    which = [name for name, yes in zip(ANGLES, against.significant, strict=True) if yes]
-    where = f"in {listed(which)}" if which else "all angles together"
-    return (
-        f"{one} and {other} differ by more than their sigmas explain, {where}: a point "
-        f"{FAR:.0f} m away moves by {moved} cm."
-    )
+def _comparison(against: Difference) -> Message:
+    angles = [name for name, yes in zip(ANGLES, against.significant, strict=True) if yes]
+    code = "methods.differ" if angles else "methods.differ_together"
+    return note(
+        code if against.differ else "methods.agree",
+        method=note(NAMES[against.second]), other=note(NAMES[against.first]),
+        angles=quantities(angles), distance=FAR, displacement=against.displacement(FAR),
+    )  # fmt: skip

@@ -6,6 +6,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message
+
 Array = NDArray[np.float64]
 
 Method = Literal["natural planes", "targetless", "patch test"]
@@ -27,8 +29,8 @@ class Opinion:
         That the answer rests on.
     surfaces : int
         Planes, natural surfaces or objects that it rests on.
-    remarks : tuple of str
-        What is to be known of it, in sentences.
+    remarks : tuple of Message
+        What it is based on, and what limits it.
     """
 
     method: Method
@@ -36,7 +38,7 @@ class Opinion:
     covariance: Array
     lines: tuple[str, ...]
     surfaces: int
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     @property
     def sigma(self) -> Array:

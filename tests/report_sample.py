@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import (
@@ -18,7 +19,7 @@ from lispac.adjustment.result import (
     TargetResidual,
 )
 from lispac.adjustment.stochastic import StochasticModel
-from lispac.messages import note
+from lispac.messages import error, note
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.report.trajectory_values import TrajectoryOnLine
@@ -70,8 +71,15 @@ def _observability(sigma: np.ndarray, lines: dict[str, float]) -> Observability:
         sigma_without_line={
             line: None if k == 5 else (1.1 + 0.05 * k) * sigma for k, line in enumerate(lines)
         },
-        sentences=("The weakest direction is yaw, known to 0.038 deg.", "Roll hangs on no line."),
-    )
+        remarks=(
+            note(
+                "observability.directions",
+                weakest=quantity("yaw"), weakest_sigma=sigma[2],
+                strongest=quantity("roll"), strongest_sigma=sigma[0],
+            ),
+            note("observability.no_main_line", angle=quantity("roll")),
+        ),
+    )  # fmt: skip
 
 
 def sample_checks(lines: dict[str, float], targets: tuple[str, ...]) -> CrossChecks:
@@ -88,7 +96,7 @@ def sample_checks(lines: dict[str, float], targets: tuple[str, ...]) -> CrossChe
     return CrossChecks(
         parts=(
             *(part("line", line, rng.uniform(-0.5, 0.5, 3) * sigma) for line in lines),
-            CrossCheck("target", targets[0], reason="All targets left face the same way."),
+            CrossCheck("target", targets[0], reason=error("adjustment.parallel_planes")),
             part("target", targets[1], rng.uniform(-0.5, 0.5, 3) * sigma),
             part("half", "first", halves),
             part("half", "second", -halves),

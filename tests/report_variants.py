@@ -6,25 +6,35 @@ from typing import Any
 
 import numpy as np
 
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import Component
 from lispac.adjustment.robust import LOSSES
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.io.formats import POINTS
-from lispac.messages import note
+from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content
 from tests.test_doubts import CASES
 
-SENTENCES = (
-    "The weakest direction is yaw together with roll and pitch, known to 0.038 deg; the strongest "
-    "is roll, known to 0.016 deg (1 sigma).",
-    "Pitch is seen mainly by line L3: without L3 its sigma would be 0.040 instead of 0.029 deg.",
-    "Roll does not depend on any single line.",
-)
-"""As `lispac.adjustment.observability` makes them; those of the sample are made up."""
+REMARKS = (
+    note(
+        "observability.directions",
+        weakest=note(
+            "adjustment.angle_with_two",
+            first=quantity("yaw"), second=quantity("roll"), third=quantity("pitch"),
+        ),
+        weakest_sigma=6.6e-4, strongest=quantity("roll"), strongest_sigma=2.8e-4,
+    ),
+    note(
+        "observability.main_lines",
+        count=1, lines=["L3"], angle=quantity("pitch"), line="L3", without=7.0e-4, sigma=5.1e-4,
+    ),
+    note("observability.no_main_line", angle=quantity("roll")),
+)  # fmt: skip
+"""As `lispac.adjustment.observability` makes them."""
 NOTES = (
     note("trajectory.metres_assumed", file="a.txt", column="Alt"),
     note("assumed.column_unit", column="Alt", unit=note("unit.feet")),
@@ -82,10 +92,10 @@ def _few_lines(project: Project) -> Project:
 
 def _parameters(project: Project) -> Project:
     assert project.result is not None
-    reason = (
-        "These lines and targets do not see the scan-angle offset: it turns the points about the "
-        "scanner's axis, as the boresight does; it is held."
-    )
+    reason = note(
+        "parameter.rotates_like_boresight",
+        parameter=quantity("scan_angle_offset"), kept=note("parameter.kept"),
+    )  # fmt: skip
     unseen = Estimate("scan_angle_offset", 0.0, None, reason=reason)
     late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
     far = Estimate("range_offset", 0.0, 0.002, 0.0051, 0.0008, None)
@@ -140,9 +150,9 @@ def content_of_sample(project: Project) -> ReportContent:
     """Of the sample, with sentences and notes as the program makes them."""
     result = project.result
     if result is not None and result.observability is not None:
-        seen = replace(result.observability, sentences=SENTENCES)
+        seen = replace(result.observability, remarks=REMARKS)
         parts = tuple(
-            replace(p, reason="No target is left on two lines." if p.reason else "")
+            replace(p, reason=p.reason and note("cross_check.no_common_target"))
             if p.kind != "half"
             else replace(p, boresight=None, reason=_refused())
             for p in (project.cross_checks.parts if project.cross_checks else ())
@@ -152,10 +162,12 @@ def content_of_sample(project: Project) -> ReportContent:
     return replace(sample_content(project), notes=NOTES)
 
 
-def _refused() -> str:
-    return (
-        "These lines and targets do not determine the boresight, mainly not yaw together with "
-        "roll: all lines run parallel and T1 is the only target. Add a target of another "
-        "inclination, or lines in other directions: a vertical target shows roll on lines along "
-        "it, pitch and yaw on lines at 45 deg to it."
-    )
+def _refused() -> Message:
+    return error(
+        "adjustment.undetermined_because",
+        direction=note(
+            "adjustment.angle_with_one", first=quantity("yaw"), second=quantity("roll")
+        ),
+        reason=note("adjustment.parallel_lines_one_target", target="T1"),
+        action=note("adjustment.add_orientation"),
+    )  # fmt: skip

@@ -1,9 +1,9 @@
 """Lines against a static scan or surveyed points: known shifts and known POS errors come back."""
 
 import json
-import re
 from dataclasses import asdict, replace
 from pathlib import Path
+from typing import cast
 
 import laspy
 import numpy as np
@@ -13,6 +13,7 @@ from pyproj import CRS
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.messages import Message, error, note, warning
 from lispac.project import Project
 from lispac.report.absolute_figure import absolute_figure
 from lispac.report.absolute_values import Absolute
@@ -159,38 +160,37 @@ def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
     assert together.distances.rms == pytest.approx(np.sqrt(np.mean(squares)))
     scatters = [line.after.mean_sigma.scatter for line in both.lines]
     assert together.mean_sigma.scatter == pytest.approx(np.linalg.norm(scatters) / len(scatters))
-    assert "count each line alike" in Absolute.of(both).in_words[-1]
+    assert Absolute.of(both).in_words[-1].code == "absolute.lines_alike"
 
 
 def test_a_line_that_is_not_compared_says_what_would_help(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     scan = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",)))
-    assert scan.unseen
+    assert scan.not_compared
     (tmp_path / "p.csv").write_text("A,{},{},{}\n".format(*on_plane("V5", *np.zeros((2, 1)))[0]))
     project, _ = check_absolute(*known, tmp_path / "p.csv")
     assert project.absolute is not None
-    assert project.absolute.unseen
-    for said, check in (
-        ("The reference has no flat place within 1.00 m of this line.", scan),
-        ("No surveyed point has a flat place of this line within 1.00 m before", project.absolute),
+    assert project.absolute.not_compared
+    for reason, check in (
+        (error("check.no_reference_near", distance=1.0), scan),
+        (error("check.no_surveyed_point_near", distance=1.0), project.absolute),
     ):
-        compared = {line.line for line in check.lines}
-        left_out = dict(reason.split(": ", 1) for reason in check.unseen)
-        assert set(left_out) == set(known[1].clouds) - compared
-        assert all(reason.startswith(said) for reason in left_out.values())
-        assert all(
-            reason.endswith("or increase the search distance.") for reason in left_out.values()
-        )
+        lines = set(known[1].clouds) - {line.line for line in check.lines}
+        codes = [each.code for each in check.not_compared]
+        assert codes == ["check.line_not_compared"] * len(lines)
+        assert {each.params["line"] for each in check.not_compared} == lines
+        assert all(each.params["reason"] == reason for each in check.not_compared)
     # A patch with enough places of near lines and too few of far ones.
     patch = tripod_scan(("V5",), density=2000.0)
     patch = patch[np.linalg.norm(patch - on_plane("V5", *np.zeros((2, 1))), axis=1) < 1.6]
     small = checked(known, tmp_path / "few.xyz", patch)
     assert {line.line for line in small.lines} == {"L1_000", "L2_180"}
-    (reason,) = (reason for reason in small.unseen if reason.startswith("L3_045"))
-    count, tried = map(int, re.findall(r"L3_045: (\d+) of (\d+) flat places", reason)[0])
-    assert count <= tried < 30
-    assert "but 30 are needed. Scan more of what the line has seen" in reason
+    (found,) = (each for each in small.not_compared if each.params["line"] == "L3_045")
+    reason = found.params["reason"]
+    assert isinstance(reason, Message)
+    assert (reason.code, reason.params["least"]) == ("check.few_places", 30)
+    assert cast(int, reason.params["places"]) <= cast(int, reason.params["tried"]) < 30
 
 
 def test_a_sigma_in_millimetres_is_doubted_once(
@@ -199,16 +199,15 @@ def test_a_sigma_in_millimetres_is_doubted_once(
     path = tmp_path / "p.csv"
     where = on_plane("V5", np.array([0.0, 0.1, 0.2]), np.zeros(3))
 
-    def noted(*sigmas: str) -> list[str]:
+    def noted(*sigmas: str) -> list[Message | str]:
         rows = [f"A{k},{x[0]},{x[1]},{x[2]},{sigmas[k]}" for k, x in enumerate(where)]
         path.write_text("name,north,west,up,sigma\n" + "\n".join(rows))
         _, notes = check_absolute(*known, path)
-        return [note for note in notes if "rarely" in note]
+        return [each for each in notes if isinstance(each, Message)]
 
     assert noted("0.003", "0.2", "") == []
-    (note,) = noted("0.003", "3", "4")
-    for said in ("sigma of A1 is 3 m", "1 more is above it", "read in metres, 3 mm is 0.003"):
-        assert said in note
+    (found,) = noted("0.003", "3", "4")
+    assert found == warning("reference.large_sigma", count=2, name="A1", sigma=3.0, limit=0.2)
 
 
 def test_surveyed_points_and_planes(
@@ -227,11 +226,11 @@ def test_surveyed_points_and_planes(
     project, notes = check_absolute(*known, path)
     check = project.absolute
     assert check is not None
-    assert any("sigma, plane" in note for note in notes)
+    assert any("sigma, plane" in str(each) for each in notes)
     assert check.kind == "points"
     found = {point.name: point for point in check.points}
     assert set(found) == {"BOARD", "A0", "A1"}
-    assert any("AWAY" in reason for reason in check.unseen)
+    assert note("check.points_not_compared", distance=1.0, points=["AWAY"]) in check.not_compared
     # Four points of 4 mm each make a plane of 2 mm in their middle.
     assert found["BOARD"].sigma == pytest.approx(0.002, rel=1e-6)
     assert found["A0"].sigma == 0.003

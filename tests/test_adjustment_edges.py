@@ -15,13 +15,12 @@ from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import require_determined
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.omitted import contradictions
-from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
+from lispac.adjustment.parameters import SWITCHED, Parameter
 from lispac.adjustment.passes import in_chunks
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.scatter import excess_variance, with_scatter
 from lispac.adjustment.shapes import fit_shapes
-from lispac.adjustment.shown import significance_words
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
@@ -245,12 +244,6 @@ def test_a_pass_over_no_points_calls_nothing() -> None:
     assert len(called) == 16
     np.testing.assert_array_equal([*first, 40_000], [0, *last])
     assert np.ptp(last - first) <= 2
-
-
-def test_a_value_that_is_not_seen_has_no_significance() -> None:
-    assert significance_words(Estimate("lever_z", 0.0, None, reason="not seen")) == ""
-    seen = Estimate("lever_z", 0.0, None, value=0.1, sigma=0.01, significance=9.0)
-    assert significance_words(seen) == "significant"
 
 
 def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(

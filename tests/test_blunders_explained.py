@@ -14,6 +14,7 @@ from lispac.adjustment.problem import RELEASED
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.errors import RankDeficient
+from lispac.messages import error
 from lispac.progress import no_progress
 from tests.test_robustness import PRIOR, survey
 
@@ -111,12 +112,13 @@ def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPa
 
 def test_a_part_without_an_answer_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     points, model = survey(2, 0.3), StochasticModel()
+    refused = error("adjustment.parallel_planes")
     whole = adjust(points, PRIOR, model, diagnostics=False)
 
     def refuse(*_given: object, **_more: object) -> None:
-        raise RankDeficient("These points say nothing.")
+        raise RankDeficient(refused)
 
     monkeypatch.setattr(crosscheck, "adjust", refuse)
     parts = cross_checks(points, PRIOR, whole).parts
-    assert {part.reason for part in parts} == {"These points say nothing."}
+    assert {part.reason for part in parts} == {refused}
     assert all(part.boresight is None for part in parts)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.io.project_file import write_project
+from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.repeating import remarks_on
@@ -65,14 +66,18 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["remarks"]
-    assert any("b rests on the same lines as a" in remark for remark in remarks)
-    assert any("another lever arm than a" in remark for remark in remarks)
+    for found in (
+        note("repeat.same_lines", name="b", other="a"),
+        note("repeat.lever_arm", name="b", other="a"),
+    ):
+        assert english_text(found) in remarks
     part = replace(
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["remarks"]
-    assert any("c rests on 1 of the lines of a" in remark for remark in remarks)
+    found = note("repeat.shared_lines", name="c", other="a", count=1)
+    assert english_text(found) in remarks
 
 
 def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

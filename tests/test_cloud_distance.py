@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError
 from lispac.io.values import decoded, encoded
+from lispac.message_texts import english_text
 from lispac.progress import Step
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE, LocalModel
@@ -77,7 +78,7 @@ MODELS = [
 ]
 
 
-@pytest.mark.parametrize("model", MODELS, ids=lambda model: model.in_words)
+@pytest.mark.parametrize("model", MODELS, ids=lambda model: english_text(model.name))
 def test_other_models_agree_with_brute_force(model: LocalModel) -> None:
     compared, reference = tower(700, 1, 0.02), tower(3000, 2)
     np.testing.assert_allclose(
@@ -266,7 +267,7 @@ COMMANDS = {
 }
 
 
-@pytest.mark.parametrize("model", COMMANDS, ids=lambda model: model.in_words)
+@pytest.mark.parametrize("model", COMMANDS, ids=lambda model: english_text(model.name))
 def test_agrees_with_cloudcompare(model: LocalModel, cloudcompare: str, tmp_path: Path) -> None:
     clouds = single(compared=tower(20_000, 1, 0.01), reference=tower(20_000, 2))
     theirs = by_cloudcompare(cloudcompare, tmp_path, clouds, *COMMANDS[model])

@@ -22,7 +22,7 @@ from lispac.io.project_file import read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import Level, Message, plain_params
+from lispac.messages import Level, Message, note, plain_params
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content, sample_project
@@ -44,7 +44,7 @@ def _wide(project: Project) -> Project:
 
 
 def _unseen(project: Project) -> Project:
-    turned = Estimate("scan_angle_offset", 0.0, 0.01, reason="These lines do not see it.")
+    turned = Estimate("scan_angle_offset", 0.0, 0.01, reason=note("parameter.kept_uncertain"))
     wide = _wide(project)
     assert wide.result is not None
     return replace(wide, result=replace(wide.result, parameters=(turned,)))

@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.adjustment.message_parts import quantities
 from lispac.errors import AdjustmentError, ProjectError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.messages import Message, error
-from lispac.methods import SHARED, answers, missing, sentences
+from lispac.messages import Message, error, note
+from lispac.methods import answers, missing, remarks_on
 from lispac.opinions import Method, Opinion
 from lispac.project import Project, Settings
 from lispac.workflow.calibration import estimate
@@ -30,7 +31,7 @@ def opinion(project: Project, method: Method, off_deg: tuple[float, float, float
         np.array(project.result.covariance),
         ("L1", "L2"),
         30,
-        ("It rests on two lines.",),
+        (note("patch_test.not_converged"),),
     )
 
 
@@ -48,15 +49,15 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     assert np.degrees(far.angles) == pytest.approx([0.3, 0.0, 0.0])
     sigma = np.degrees(project.result.sigma[0])
     assert far.significance[0] == pytest.approx(0.3 / (np.sqrt(2) * sigma))
-    near, differs, shared = sentences(found)
-    assert near.startswith("Natural planes and targets agree: ")
-    assert differs == (
-        "Targetless and targets differ by more than their sigmas explain, in roll: a point "
-        "50 m away moves by 26.2 cm."
-    )
-    assert shared == SHARED
+    near, differs, shared = remarks_on(found)
+    assert near.code == "methods.agree"
+    assert near.params["method"] == note("method.natural_planes")
+    assert (differs.code, differs.params["angles"]) == ("methods.differ", quantities(["roll"]))
+    assert differs.params["method"] == note("method.targetless")
+    assert differs.params["displacement"] == pytest.approx(0.262, abs=5e-4)
+    assert shared == note("methods.same_lines")
     assert missing(project) == ("patch test",)
-    assert sentences(found[:1]) == ()
+    assert remarks_on(found[:1]) == ()
     # Without targets the first of the others takes their place.
     alone = answers(replace(project, result=None))
     assert [each.method for each in alone] == ["natural planes", "targetless"]
@@ -151,7 +152,7 @@ def test_the_command_shows_them_side_by_side(
     assert found["missing"] == ["natural planes", "patch test"]
     _, out, _ = run(capsys, "compare", tmp_path / "p")
     assert "+0.3000" in out
-    assert "targetless: It rests on two lines." in out
+    assert "targetless: The angles were still changing when the search ended." in out
     write_project(replace(project, result=None, opinions=(), validation=(), absolute=None))
     assert "Run lispac estimate" in refused(capsys, "compare", tmp_path / "p")
 

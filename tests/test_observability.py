@@ -31,6 +31,7 @@ from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.error_codes import has_code
+from tests.message_codes import codes
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -150,17 +151,15 @@ def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
     one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel(), accept_one_facing=True)
     two = adjust(survey(), PRIOR, StochasticModel())
     assert (one.sigma > two.sigma).all()
-    assert "T1 is the only target" in one.observability.sentences[-1]
-    assert not any("only target" in said for said in two.observability.sentences)
+    assert one.observability.remarks[-1] == note("adjustment.one_target", target="T1")
+    assert "adjustment.one_target" not in codes(two.observability.remarks)
     assert (np.abs(one.boresight - TRUTH.boresight) < 3.5 * one.sigma).all()
 
 
 def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
     ball = Ball("B1", (0.0, 15.0, 4.0), 0.3)
     result = adjust(survey((ball,)), PRIOR, StochasticModel())
-    assert result.observability.sentences[-1] == (
-        "B1 is the only target: no other shows whether it is out of shape or moved. Add another."
-    )
+    assert result.observability.remarks[-1] == note("observability.one_sphere", target="B1")
     first = six_courses()[0]
     twice = (first, replace(first, name="L2", time=first.time + 90))
     with pytest.raises(RankDeficient, match="Add another target, or lines in other directions"):
@@ -170,7 +169,7 @@ def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
 def test_boards_that_face_one_way_are_told_of() -> None:
     points = survey((UPRIGHT, facing(0)))
     result = adjust(points, PRIOR, StochasticModel(), accept_one_facing=True)
-    assert "All targets face the same way" in result.observability.sentences[-1]
+    assert result.observability.remarks[-1] == note("adjustment.one_facing")
     assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
 
 
@@ -184,7 +183,8 @@ def test_directions_and_condition_are_those_of_the_covariance() -> None:
     )
     assert seen.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
     weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(seen.directions[:, 0])))]
-    assert f"The weakest direction is {weakest}" in seen.sentences[0]
+    assert seen.remarks[0].code == "observability.directions"
+    assert english_text(seen.remarks[0]).startswith(f"The weakest direction is {weakest}")
 
 
 def test_sigmas_without_a_line_are_those_of_the_adjustment_without_it() -> None:

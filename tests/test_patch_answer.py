@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.adjustment.message_parts import quantity
+from lispac.messages import Message, note
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.mismatch import SCALE
 from lispac.patchtest.sigmas import FEWEST
@@ -21,34 +23,34 @@ SOUND = PatchTest(
     rounds=4,
     settled=True,
 )
-WORDS = f"The mismatch (robust RMS distance between lines, at most {1000 * SCALE:.0f} mm)"
-FIRST = "The answer rests on 0 objects and 2 lines."
-FALL = f"{WORDS} falls from 204.1 mm with the prior boresight to 12.3 mm."
+FIRST = note("patch_test.basis", count=0, lines=2)
+FALL = note("patch_test.mismatch_reduced", limit=SCALE, before=0.2041, after=0.0123)
 
 
-def test_of_a_sound_answer_nothing_more_is_said() -> None:
-    assert SOUND.sentences == (FIRST, FALL)
+def test_a_sound_result_has_no_further_remarks() -> None:
+    assert SOUND.remarks == (FIRST, FALL)
     np.testing.assert_allclose(SOUND.sigma, [1e-4, 2e-4, 3e-4])
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "remark"),
     [
-        (
-            {"covariance": None},
-            "A sigma cannot be stated: 0 objects are too few to tell how far the answer would "
-            f"move with others; at least {FEWEST} are needed.",
-        ),
-        ({"settled": False}, "The angles still moved when the search ended."),
+        ({"covariance": None}, note("patch_test.no_sigma", count=0, needed=FEWEST)),
+        ({"settled": False}, note("patch_test.not_converged")),
         (
             {"one_by_one": np.radians([1.005, 2.0, -1.05])},
-            "Turned one after another, the angles end elsewhere: the yaw by 0.050 deg.",
+            note(
+                "patch_test.order_matters",
+                angle=quantity("yaw"), difference=pytest.approx(np.radians(0.05)),
+            ),
         ),
-        ({"unmet": ("mast", "wall")}, "No two of the lines meet at: mast and wall."),
+        ({"unmet": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),
     ],
-)
-def test_each_doubt_is_said(change: dict[str, object], said: str) -> None:
-    assert replace(SOUND, **change).sentences == (FIRST, FALL, said)
+)  # fmt: skip
+def test_each_limit_is_a_remark(change: dict[str, object], remark: Message) -> None:
+    *first, last = replace(SOUND, **change).remarks
+    assert first == [FIRST, FALL]
+    assert (last.code, dict(last.params)) == (remark.code, dict(remark.params))
 
 
 def test_without_a_covariance_there_is_no_sigma() -> None:
@@ -56,6 +58,5 @@ def test_without_a_covariance_there_is_no_sigma() -> None:
 
 
 def test_lines_that_do_not_meet_with_the_prior_boresight_have_no_fall() -> None:
-    assert replace(SOUND, mismatch_before=float("nan")).sentences == (
-        FIRST, f"{WORDS} is 12.3 mm; with the prior boresight the lines do not meet there.",
-    )  # fmt: skip
+    mismatch = note("patch_test.mismatch", limit=SCALE, after=0.0123)
+    assert replace(SOUND, mismatch_before=float("nan")).remarks == (FIRST, mismatch)

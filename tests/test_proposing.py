@@ -1,16 +1,17 @@
 """What is proposed, and what is not: ripples, natural planes alone, a drone's planes."""
 
 import json
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from itertools import product
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import pytest
 
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.cli.main import main
 from lispac.errors import AdjustmentError, RankDeficient, TargetNotFound
@@ -253,16 +254,10 @@ def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
         "T1", "T2", "T3", "T4", "V1", "V2", "V3", "V4",
     ]  # fmt: skip
     for name in ("T1", "T2", "T3", "T4"):
-        said = re.fullmatch(
-            r"Seen on \d lines; without it the sigma of (\w+) would be ([\d.]+)° instead of "
-            r"([\d.]+)°\.",
-            proposal.reasons[name],
-        )
-        assert said is not None, proposal.reasons[name]
-        assert float(said[2]) > float(said[3])
-        assert float(said[3]) == pytest.approx(
-            np.degrees(proposal.sigma[ANGLES.index(said[1])]), abs=6e-4
-        )
+        reason = proposal.reasons[name]
+        assert reason.code == "propose.target"
+        (k,) = (k for k, angle in enumerate(ANGLES) if reason.params["angle"] == quantity(angle))
+        assert reason.params["sigma"] == proposal.sigma[k] < cast(float, reason.params["without"])
 
 
 @pytest.mark.long

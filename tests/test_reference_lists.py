@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
+from lispac.messages import Message, note
 from lispac.project import Project
 from lispac.workflow import references
 from lispac.workflow.absolute import check_absolute
@@ -35,12 +36,13 @@ def test_a_surveyed_point_off_its_plane_is_told(
 ) -> None:
     """Of five places alike, one of them in the middle, the plane takes a fifth of it."""
     found = read_reference(corners(tmp_path / "b.csv", off), *known, sigma=0.005, reach=1.0)
-    told = [note for note in found.notes if note.startswith("plane T2")]
+    told = [each for each in found.notes if isinstance(each, Message)]
     if off:
-        assert told == [
-            "plane T2: a point lies 16.0 mm off the plane through all of them, with a sigma of "
-            "2.0 mm"
+        assert [(each.code, each.params["plane"]) for each in told] == [
+            ("reference.plane_off", "T2")
         ]
+        assert told[0].params["distance"] == pytest.approx(0.016, abs=5e-5)
+        assert told[0].params["sigma"] == 0.002
     else:
         assert told == []
     (plane,) = found.planes
@@ -59,13 +61,16 @@ def test_of_a_scan_with_too_many_points_a_fair_sample_is_kept(
     np.savetxt(path, np.concatenate([near, far]), fmt="%.4f")
     whole = read_reference(path, *known, sigma=0.0, reach=1.0)
     assert len(whole.surface) == 3000
-    assert "scan.xyz: 3,500 points, of which 3,000 lie where the lines have been" in whole.notes
+    used = note("reference.points_used", file="scan.xyz", used=3000, total=3500, one_in=1)
+    assert used in whole.notes
     monkeypatch.setattr(references, "MOST_POINTS", 1000)
     some = read_reference(path, *known, sigma=0.0, reach=1.0)
     assert 600 < len(some.surface) <= 1000
     assert {*map(tuple, some.surface)} < {*map(tuple, whole.surface)}
     assert np.abs(some.surface.mean(axis=0) - whole.surface.mean(axis=0)).max() < 0.05
-    assert some.notes[-1].endswith("lie where the lines have been and are one in 4 of those there")
+    last = some.notes[-1]
+    assert isinstance(last, Message)
+    assert (last.code, last.params["one_in"]) == ("reference.points_used_sample", 4)
 
 
 def test_a_scan_beside_the_lines_is_refused(known: tuple[Project, Survey], tmp_path: Path) -> None:

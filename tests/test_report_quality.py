@@ -135,9 +135,12 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
     table = _tables(document_of(changed(components=found), {}))[
         "Variance components: estimated over given sigmas"
     ]
-    assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "applied: smaller than stated")
-    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than stated")
-    assert table.rows[2][2:] == ("0.60 to 2.90", "not applied: as stated, within the interval")
+    assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "applied: smaller than given")
+    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than given")
+    assert table.rows[2][2:] == (
+        "0.60 to 2.90",
+        "not applied: the given value lies within the interval",
+    )
 
 
 def test_extra_parameters(project: Project, changed: Changed) -> None:
@@ -150,12 +153,12 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     first_page = [block.text for block in document.summary if isinstance(block, Paragraph)]
     assert any("lever arm X \u22120.2017" in text for text in first_page)
     late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
-    turned = Estimate("scan_angle_offset", 0.0, None, reason="These lines do not see it: so.")
+    turned = Estimate("scan_angle_offset", 0.0, None, reason=note("parameter.kept"))
     content = changed(parameters=(*_result(project).parameters, turned, late))
     assert "The estimated change of the latency (+1.10 ms) is not significant." in _caution(
         content, "report.parameter_not_significant"
     )
-    assert "(scan-angle offset): These lines do not see it: so. Turn" in _caution(
+    assert "(scan-angle offset): The given value is used. Turn" in _caution(
         content, "report.parameter_not_seen"
     )
     rows = _tables(document_of(content, {}))["Values estimated with the boresight"].rows
@@ -216,7 +219,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
     words = _words(document_of(sample_content(project), {}), "Cross-checks")
-    assert "Without target T1: All targets left face the same way." in words
+    assert "Without target T1: All targets are planes that face the same way" in words
     assert "The spread with one target left out needs at least three targets" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
@@ -267,7 +270,9 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     assert "Sightings are not tested: in this stochastic model" in _words(
         document, "Reliability of the sightings"
     )
-    assert "Roll hangs on no line." in _words(document, "Boresight and its uncertainty")
+    assert "The standard deviation of roll does not depend on any single line." in _words(
+        document, "Boresight and its uncertainty"
+    )
     assert "No part of the data" in _words(document, "Cross-checks")
     data = json.loads(json_text(content))
     assert data["adjustment"]["reliability"] == []
@@ -301,7 +306,7 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     result = _result(project)
     large = result.covariance_all.copy()
     large[0, 0] = np.radians(0.5) ** 2
-    reason = "These lines and targets do not see the scan-angle offset."
+    reason = note("parameter.kept_uncertain")
     unseen = Estimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
     said = _caution(content, "adjustment.large_sigma_unseen")

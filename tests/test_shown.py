@@ -9,7 +9,7 @@ import pytest
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import AdjustmentResult, Component, CrossChecks
-from lispac.adjustment.shown import QUANTITIES, STATED, component_shown, named_parts
+from lispac.adjustment.shown import QUANTITIES, STATED, component_finding
 from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
 from lispac.gui.panels.adjust_parameters import KINDS
@@ -20,7 +20,9 @@ from lispac.gui.panels.diagnostics_rows import (
     sighting_rows,
     spread_words,
 )
-from lispac.gui.panels.result_words import component_sentences
+from lispac.gui.panels.result_words import component_texts
+from lispac.message_texts import english_text
+from lispac.messages import note
 from lispac.report.document import document_of
 from lispac.report.wording import quantity
 from tests.report_sample import sample_content, sample_project
@@ -112,8 +114,7 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     assert printed.count("half") == 1
     assert "first minus second half (roll " in printed
     assert "Spread,<br>one line left out" in spread_words(checks)
-    names = [name for name, _ in named_parts(checks)]
-    assert names == [row.cells[0].text for row in check_rows(checks)]
+    names = [row.cells[0].text for row in check_rows(checks)]
     assert [name for name in names if "half" in name] == ["First minus second half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
@@ -123,13 +124,15 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
 def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> None:
     checks = sample[1]
     first, second = (part for part in checks.parts if part.kind == "half")
-    lone = replace(second, boresight=None, reason="No target is left on two lines.")
+    lone = replace(
+        second, boresight=None, difference=None, reason=note("cross_check.no_common_target")
+    )
     for halves, names in (
         ((first, lone), ["First half alone", "Second half alone"]),
         ((), []),
     ):
-        found = [name for name, _ in named_parts(replace(checks, parts=halves))]
-        assert found == names
+        rows = check_rows(replace(checks, parts=halves))
+        assert [row.cells[0].text for row in rows] == names
 
 
 def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> None:
@@ -145,36 +148,37 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
 
 
 @pytest.mark.parametrize(
-    ("component", "words"),
+    ("component", "code"),
     [
         # Raised where the data say more, though the stated sigma is within the interval
-        (Component("POS position", 2.4, 0.9, 7.2, applied=True), "applied: larger than stated"),
-        (Component("POS attitude", 2.4, 0.2, 29.0, applied=True), "applied: larger than stated"),
-        (Component("LiDAR", 0.5, 0.4, 0.6, applied=True), "applied: smaller than stated"),
-        (Component("LiDAR", 1.0, 0.01, 100.0), "not applied: the data do not tell"),
-        (Component("LiDAR", 0.9, 0.7, 1.2), "not applied: as stated, within the interval"),
-        (Component("LiDAR", 1.04, 1.01, 1.07), "not applied: too little, or seen too weakly"),
+        (Component("POS position", 2.4, 0.9, 7.2, applied=True), "component.larger"),
+        (Component("POS attitude", 2.4, 0.2, 29.0, applied=True), "component.larger"),
+        (Component("LiDAR", 0.5, 0.4, 0.6, applied=True), "component.smaller"),
+        (Component("LiDAR", 1.0, 0.01, 100.0), "component.not_determined"),
+        (Component("LiDAR", 0.9, 0.7, 1.2), "component.as_given"),
+        (Component("LiDAR", 1.04, 1.01, 1.07), "component.too_small"),
     ],
 )
 def test_a_variance_component_is_told_alike_everywhere(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, component: Component, words: str
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, component: Component, code: str
 ) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
     result = replace(project.result, components=(component,))
-    sentence = component_shown(component).sentence
-    assert words in sentence
+    finding = component_finding(component)
+    assert finding == note(code)
     print_result(result, None)
-    assert f"\n{sentence}\n" in capsys.readouterr().out
-    assert sentence in component_sentences(result)
+    assert f"), {english_text(finding)}\n" in capsys.readouterr().out
+    (shown,) = component_texts(result)
+    assert shown.endswith(english_text(finding))
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     (told,) = content.adjustment.components
     assert told.applied == component.applied
-    assert sentence.endswith(told.in_words)
+    assert told.in_words == finding
     tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
-    (row,) = [row for table in tables for row in table.rows if told.in_words in row]
-    assert f"{row[0]} sigmas times {row[1]} (95 %: {row[2]}), {row[3]}" == sentence
+    (row,) = [row for table in tables for row in table.rows if english_text(finding) in row]
+    assert f"{row[0]}: factor {row[1]} (95 %: {row[2]}), {row[3]}" == shown
 
 
 @pytest.mark.parametrize(
@@ -193,14 +197,14 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
     assert f"prior +0.0000: {words}\n" in capsys.readouterr().out
     assert numbers(result, None)["parameters"]["lever_x"]["significant"] is significant
     assert parameter_rows(result)[-1].cells[-1].text.startswith(f"{words}: ")
-    assert f"prior +0.0000 m, {words}<" in result_words.parameter_rows(result).replace("−", "-")
+    assert f"prior +0.0000\u00a0m, {words}<" in result_words.parameter_rows(result)
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     assert content.adjustment.parameters[0].significant is significant
 
 
 def test_a_value_without_a_number_is_neither() -> None:
-    assert Estimate("lever_z", 0.0, None, reason="Not seen.").significant is None
+    assert Estimate("lever_z", 0.0, None, reason=note("parameter.kept")).significant is None
 
 
 def test_the_point_farthest_off_is_told_with_its_time_everywhere(

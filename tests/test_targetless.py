@@ -11,6 +11,7 @@ import pytest
 from lispac.adjustment.doubts import doubts
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
+from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, place, to_lidar
@@ -76,7 +77,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: T
     assert (off < 3).all(), off
     assert np.degrees(clean.result.sigma).max() < 0.02
     assert clean.disagreeing == ()
-    assert len(clean.sentences) == 1 + (not clean.settled)
+    assert len(clean.remarks) == 1 + (not clean.settled)
     assert clean.candidates >= len(clean.project.targets)
     assert clean.result.observability is not None
 
@@ -155,7 +156,7 @@ def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: Targetles
     off, sigma = np.abs(error(found, project)), np.degrees(found.result.sigma)
     assert (off < 3 * sigma).all(), (off, sigma)
     assert found.disagreeing == (wrong,)
-    assert wrong in found.sentences[-1]
+    assert found.remarks[-1] == note("targetless.lines_disagree", lines=(wrong,))
 
 
 def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> None:
@@ -225,7 +226,7 @@ def test_targets_and_the_scene_tell_more_together(thinned: Opened) -> None:
     names = [target.name for target in found.project.targets]
     assert names[: found.targets] == [target.name for target in project.of_role("target")]
     assert len(set(names)) == len(names) <= found.targets + 8
-    assert "Targets adjusted with them: 2." in found.sentences
+    assert note("targetless.with_targets", targets=2) in found.remarks
     off = np.abs(error(found, project)) / np.degrees(found.result.sigma)
     assert (off < 3).all(), off
     assert project.result is not None

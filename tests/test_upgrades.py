@@ -12,8 +12,9 @@ from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.upgrades import SCHEMA_VERSION
 from lispac.io.values import decoded, encoded
-from lispac.validation.absolute_words import absolute_words
+from lispac.validation.absolute_remarks import remarks_on
 from lispac.workflow.projects import open_project
+from tests.message_codes import codes
 from tests.report_sample import sample_project
 
 OLDER = sorted((Path(__file__).parent / "data").glob("project-*"))
@@ -51,7 +52,7 @@ def test_a_check_of_before_says_what_it_does_not_know() -> None:
     check = read_project(OLDER[5]).absolute
     assert check is not None
     assert check.others is None
-    assert any("mean of all surfaces within reach" in said for said in absolute_words(check))
+    assert "absolute.former_version" in codes(remarks_on(check))
 
 
 def test_every_version_has_its_fixture() -> None:

@@ -11,7 +11,8 @@ from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossCheck, CrossChecks
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
-from lispac.language import gettext_lazy, in_english
+from lispac.language import gettext_lazy
+from lispac.messages import as_message, note
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -133,14 +134,14 @@ def _check(
 ) -> CrossCheck:  # fmt: skip
     keep = keep & _seen_twice(observations, keep)
     if not keep.any():
-        return CrossCheck(kind, name, reason="No target is left on two lines.")
+        return CrossCheck(kind, name, reason=note("cross_check.no_common_target"))
     try:
         part = adjust(
             observations.of_sightings(keep), start, result.model,
             parameters=parameters, accept_one_facing=True, diagnostics=False,
         )  # fmt: skip
-    except AdjustmentError as error:
-        return CrossCheck(kind, name, reason=in_english(error))
+    except AdjustmentError as failure:
+        return CrossCheck(kind, name, reason=as_message(failure.reason))
     difference = part.boresight - result.boresight
     # A part of the data has the larger variance, by that of the difference (Hausman 1978).
     spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))

@@ -1,11 +1,12 @@
-"""What the geometry sees: eigenvalues, weak directions, refusals, in numbers and in words."""
+"""What the geometry sees: eigenvalues, weak directions, and refusals."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.parameters import LIMITS, Estimate
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES, Observability, Unchecked
@@ -34,13 +35,6 @@ MOST_SIGHTINGS = 100
 MATTERS = 1.25
 """Factor by which a sigma grows without a line that is worth naming."""
 
-NAMES = {
-    "lever_x": "the lever arm's X", "lever_y": "the lever arm's Y", "lever_z": "the lever arm's Z",
-    "range_offset": "the range offset", "scan_angle_offset": "the scan-angle offset",
-    "latency": "the latency", "roll": "roll", "pitch": "pitch", "yaw": "yaw",
-}  # fmt: skip
-
-
 ANGLE_CODES = {
     "roll": "adjustment.angle_roll",
     "pitch": "adjustment.angle_pitch",
@@ -50,7 +44,7 @@ ANGLE_CODES = {
 
 
 def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
-    """Parameters that the geometry does not see, the worst first, each with the reason in words.
+    """Parameters that the geometry does not see, the worst first, each with the reason.
 
     One at a time: of two that can only not be told from each other, one stays.
     """
@@ -88,15 +82,15 @@ def _hidden(
     name = CALIBRATION[index]
     prior = float(linearised.problem.prior.values[index])
     shares = np.where(active == index, 0.0, np.abs(row))
-    like = NAMES[CALIBRATION[int(active[np.argmax(shares)])]]
+    other = quantity(CALIBRATION[int(active[np.argmax(shares)])])
+    parameter = quantity(name)
+    kept = note("parameter.kept_uncertain" if sigma else "parameter.kept")
     if name == "scan_angle_offset":
-        why = "it turns the points about the scanner's axis, as the boresight does"
+        reason = note("parameter.rotates_like_boresight", parameter=parameter, kept=kept)
     elif name == "lever_z":
-        why = "on level passes it lifts the points of every line alike"
+        reason = note("parameter.raises_all_lines", parameter=parameter, kept=kept)
     else:
-        why = f"what it does to the points cannot be told from {like} or the place of the targets"
-    held = "its stated sigma goes into those of the angles" if sigma else "it is held"
-    reason = f"These lines and targets do not see {NAMES[name]}: {why}; {held}."
+        reason = note("parameter.not_separated", parameter=parameter, other=other, kept=kept)
     return Estimate(name, prior, sigma, reason=reason)
 
 
@@ -119,7 +113,7 @@ def require_determined(linearised: Linearised) -> None:
     # A sphere has no orientation that another could differ from.
     spheres = bool(problem.observations.is_sphere.all())
     action = note("adjustment.add_target" if spheres else "adjustment.add_orientation")
-    direction, reason = _weak_direction(directions[:, 0]), _reason_undetermined(linearised)
+    direction, reason = _combination(directions[:, 0]), _reason_undetermined(linearised)
     if reason is None:
         raise RankDeficient(error("adjustment.undetermined", direction=direction, action=action))
     raise RankDeficient(
@@ -245,16 +239,17 @@ def observability(
         gone = np.array([sighting.line == line for sighting in observations.sightings])
         own = _sigma(linearised, gone)
         without[line] = None if own is None else factors * own
-    sentences = [
-        _weakest(eigenvalues, directions), *_seen_by(sigma, without), *_one_sided(linearised),
-    ]  # fmt: skip
+    remarks = (
+        _strongest_and_weakest(eigenvalues, directions), *_main_lines(sigma, without),
+        *_one_sided(linearised),
+    )  # fmt: skip
     condition = float(eigenvalues[2] / eigenvalues[0])
     unchecked = (
         tuple(_unchecked(linearised, without, origins))
         if linearised.problem.model.correlated
         else ()
     )
-    return Observability(eigenvalues, directions, condition, without, tuple(sentences), unchecked)
+    return Observability(eigenvalues, directions, condition, without, remarks, unchecked)
 
 
 def _unchecked(
@@ -291,25 +286,17 @@ def _reach(linearised: Linearised, origins: Array) -> float:
     return float(apart / np.linalg.norm(points, axis=1).mean())
 
 
-def _one_sided(linearised: Linearised) -> Sequence[str]:
+def _one_sided(linearised: Linearised) -> Iterator[Message]:
     """What the data determine, and nothing checks."""
     observations = linearised.problem.observations
     targets = observations.targets
     if len(targets) == 1:
-        sphere = bool(observations.is_sphere[0])
-        wrong, other = (
-            ("out of shape", "another") if sphere else ("bent", "one of another inclination")
-        )
-        return [
-            f"{targets[0]} is the only target: no other shows whether it is {wrong} or moved. Add "
-            f"{other}."
-        ]
-    if _one_facing(linearised):
-        return [
-            "All targets face the same way: only the headings of the lines tell the angles apart. "
-            "Add a target of another inclination."
-        ]
-    return []
+        if observations.is_sphere[0]:
+            yield note("observability.one_sphere", target=targets[0])
+        else:
+            yield note("adjustment.one_target", target=targets[0])
+    elif _one_facing(linearised):
+        yield note("adjustment.one_facing")
 
 
 def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:
@@ -322,9 +309,11 @@ def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
 
-def _weak_direction(direction: Array) -> Message:
+def _combination(direction: Array) -> Message:
     """A direction in angle space as part of a message: its angles, the largest first."""
-    first, *rest = (note(ANGLE_CODES[name]) for name in _angles_of(direction))
+    share = direction**2
+    names = [ANGLES[k] for k in np.argsort(-share) if share[k] > 0.15]
+    first, *rest = (note(ANGLE_CODES[name]) for name in names)
     if not rest:
         return first
     if len(rest) == 1:
@@ -332,46 +321,26 @@ def _weak_direction(direction: Array) -> Message:
     return note("adjustment.angle_with_two", first=first, second=rest[0], third=rest[1])
 
 
-def _angles_of(direction: Array) -> list[str]:
-    """Names of the angles that have a part in a direction, the largest first."""
-    share = direction**2
-    return [ANGLES[k] for k in np.argsort(-share) if share[k] > 0.15]
+def _strongest_and_weakest(eigenvalues: Array, directions: Array) -> Message:
+    return note(
+        "observability.directions",
+        weakest=_combination(directions[:, 0]), weakest_sigma=float(eigenvalues[0] ** -0.5),
+        strongest=_combination(directions[:, 2]), strongest_sigma=float(eigenvalues[2] ** -0.5),
+    )  # fmt: skip
 
 
-def _mixture(direction: Array) -> str:
-    """A direction in angle space in words: its largest part, and what else has a say."""
-    names = _angles_of(direction)
-    return names[0] if len(names) == 1 else f"{names[0]} together with {' and '.join(names[1:])}"
-
-
-def _weakest(eigenvalues: Array, directions: Array) -> str:
-    sigma = np.degrees(eigenvalues[0] ** -0.5)
-    better = np.degrees(eigenvalues[2] ** -0.5)
-    return (
-        f"The weakest direction is {_mixture(directions[:, 0])}, known to {sigma:.3f} deg; the "
-        f"strongest is {_mixture(directions[:, 2])}, known to {better:.3f} deg (1 sigma)."
-    )
-
-
-def _seen_by(sigma: Array, without: dict[str, Array | None]) -> Sequence[str]:
-    said = []
+def _main_lines(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
+    """The lines that each angle depends on most."""
     for k, angle in enumerate(ANGLES):
+        name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
         lines = sorted((line for line in grown if grown[line] > MATTERS), key=lambda x: -grown[x])
         if lines:
-            now = np.degrees(sigma[k])
-            places = max(3, 1 - int(np.floor(np.log10(now))))  # two digits tell them apart
-            then = grown[lines[0]] * now
-            said.append(
-                f"{angle.capitalize()} is seen mainly by {_listed(lines)}: without {lines[0]} its "
-                f"sigma would be {then:.{places}f} instead of {now:.{places}f} deg."
-            )
+            now = float(sigma[k])
+            yield note(
+                "observability.main_lines",
+                count=len(lines), lines=lines, angle=name, line=lines[0],
+                without=float(grown[lines[0]]) * now, sigma=now,
+            )  # fmt: skip
         elif len(grown) == len(without):
-            said.append(f"{angle.capitalize()} does not depend on any single line.")
-    return said
-
-
-def _listed(lines: Sequence[str]) -> str:
-    if len(lines) == 1:
-        return f"line {lines[0]}"
-    return f"lines {', '.join(lines[:-1])} and {lines[-1]}"
+            yield note("observability.no_main_line", angle=name)

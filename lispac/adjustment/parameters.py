@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message
 from lispac.survey.georeferencing import CALIBRATION
 
 Array = NDArray[np.float64]
@@ -59,8 +60,8 @@ class Estimate:
     significance : float or None
         How far off the prior the data alone want the value, in standard deviations of theirs; None
         where there is no value, and in thesis mode, whose standard deviations are too small.
-    reason : str
-        Why there is no number, in words; empty where there is one.
+    reason : Message or None
+        Why there is no value; None where there is one.
     """
 
     name: str
@@ -69,7 +70,7 @@ class Estimate:
     value: float | None = None
     sigma: float | None = None
     significance: float | None = None
-    reason: str = ""
+    reason: Message | None = None
 
     @property
     def significant(self) -> bool | None:

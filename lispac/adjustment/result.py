@@ -11,6 +11,7 @@ from lispac.adjustment.observations import Sighting
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.foreign_values import Shape
+from lispac.messages import Message
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -192,8 +193,8 @@ class Observability:
         Largest over smallest eigenvalue.
     sigma_without_line : dict of str to ndarray of shape (3,) or None, radians
         Sigmas of roll, pitch, yaw if a line were left out; None where they could not be found.
-    sentences : tuple of str
-        The same in words.
+    remarks : tuple of Message
+        The weakest and the strongest direction first, then what each angle depends on.
     unchecked : tuple of Unchecked
         What an error of would not show.
     """
@@ -202,7 +203,7 @@ class Observability:
     directions: Annotated[Array, Shape(3, 3)]
     condition: float
     sigma_without_line: dict[str, Array | None]
-    sentences: tuple[str, ...]
+    remarks: tuple[Message, ...]
     unchecked: tuple[Unchecked, ...] = ()
 
 
@@ -489,8 +490,8 @@ class CrossCheck:
         From the answer of all points, or between the two halves.
     significance : ndarray of shape (3,) or None
         The difference over the standard deviation it should have.
-    reason : str
-        Why there is no answer.
+    reason : Message or None
+        Why there is no result; None where there is one.
     """
 
     kind: str
@@ -499,7 +500,7 @@ class CrossCheck:
     sigma: Annotated[Array, Shape(3)] | None = None
     difference: Annotated[Array, Shape(3)] | None = None
     significance: Annotated[Array, Shape(3)] | None = None
-    reason: str = ""
+    reason: Message | None = None
 
     @property
     def disagrees(self) -> bool:

@@ -13,8 +13,9 @@ from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
 from lispac.adjustment.components import FACTORS, offsets_insist, variance_components
 from lispac.adjustment.iteration import Solution, iterate
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.noise import astray, at_target, noise_factors
-from lispac.adjustment.observability import NAMES, require_determined, require_two_facings, unseen
+from lispac.adjustment.observability import require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.omitted import contradictions
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
@@ -33,7 +34,7 @@ from lispac.adjustment.stochastic import StochasticModel
 from lispac.adjustment.summary import summary
 from lispac.adjustment.sums import State
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
-from lispac.messages import Message, error
+from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
@@ -331,8 +332,7 @@ def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:
     return tuple(
         Estimate(
             each.name, float(problem.prior.values[each.index]), each.sigma,
-            reason=f"Thesis mode estimates the boresight alone: {NAMES[each.name]} would come out "
-            "wrong, with a sigma far too small. It is held; choose the correlated model for it.",
+            reason=note("parameter.not_classical", parameter=quantity(each.name)),
         )
         for each in problem.parameters
     )  # fmt: skip

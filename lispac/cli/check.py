@@ -5,8 +5,11 @@ import sys
 from argparse import Namespace
 from dataclasses import asdict
 
+from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, opened, print_json
+from lispac.message_texts import message_text
 from lispac.report.absolute_values import Absolute, AgainstReference
+from lispac.report.json_report import english_values
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
@@ -26,9 +29,9 @@ def check(arguments: Namespace) -> None:
     assert project.absolute is not None
     found = Absolute.of(project.absolute)
     for note in notes:
-        print(f"note: {note}", file=sys.stderr)
+        print(f"note: {plain(message_text(note))}", file=sys.stderr)
     if arguments.json:
-        print_json(asdict(found))
+        print_json(asdict(english_values(found)))
         return
     heads = "".join(
         f"{f'mean {state}':>12s}{'95 %':>9s}{f'RMS {state}':>11s}" for state in ("before", "after")
@@ -48,10 +51,10 @@ def check(arguments: Namespace) -> None:
                 f"{1000 * (point.after_interval95_m or math.nan):9.1f}"
             )
     print()
-    for sentence in found.in_words:
-        print(sentence)
+    for remark in found.in_words:
+        print(plain(message_text(remark)))
     for reason in found.not_compared:
-        print(f"not compared: {reason}")
+        print(f"not compared: {message_text(reason)}")
 
 
 def _cells(found: AgainstReference) -> str:

@@ -9,13 +9,22 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.errors import ProjectError
-from lispac.messages import error
-from lispac.methods import WANTED, Answer, answers, missing, sentences
+from lispac.message_texts import english_text, message_text
+from lispac.messages import Message, error
+from lispac.methods import Answer, answers, missing, remarks_on
+from lispac.opinions import Method
 from lispac.progress import part
 from lispac.project import Project
 from lispac.workflow.opinions import ask_missing
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
+
+WANTED: dict[Method, str] = {
+    "natural planes": "the same adjustment on the validation planes instead of the targets",
+    "targetless": "surfaces of the scene that no one picked",
+    "patch test": "lines turned until they meet on objects",
+}
+"""What each method is."""
 
 
 def compare_methods(arguments: Namespace) -> None:
@@ -26,7 +35,7 @@ def compare_methods(arguments: Namespace) -> None:
     ProjectError
         Where there is no answer at all.
     """
-    refused: dict[str, str] = {}
+    refused: dict[str, Message] = {}
     with opened(arguments.projects[0], change=arguments.compute) as project:
         if arguments.compute:
             project, refused = _asked(project)
@@ -37,22 +46,22 @@ def compare_methods(arguments: Namespace) -> None:
         print_json(
             {
                 "methods": [_numbers(each) for each in found],
-                "in_words": list(sentences(found)),
+                "in_words": [english_text(each) for each in remarks_on(found)],
                 "missing": list(missing(project)),
-                "refused": refused,
+                "refused": {name: english_text(why) for name, why in refused.items()},
             }
         )
         return
     _print(found)
     sys.stdout.flush()
     for method, why in refused.items():
-        print(f"note: {method}: {why}", file=sys.stderr)
+        print(f"note: {method}: {message_text(why)}", file=sys.stderr)
     for method in missing(project):
         if method not in refused:
             print(f"note: {method} has not been asked ({WANTED[method]})", file=sys.stderr)
 
 
-def _asked(project: Project) -> tuple[Project, dict[str, str]]:
+def _asked(project: Project) -> tuple[Project, dict[str, Message]]:
     """The project with all answers that can be had, and why some cannot."""
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=part(progress, 0.0, 0.2))
@@ -81,11 +90,11 @@ def _print(found: tuple[Answer, ...]) -> None:
                 for angle, over in zip(each.against.angles, each.against.significance, strict=True)
             )
             print(f"{each.method:{width + 16}s}{cells}")
-    for sentence in sentences(found):
-        print(sentence)
+    for remark in remarks_on(found):
+        print(message_text(remark))
     for each in found:
         for remark in each.remarks:
-            print(f"{each.method}: {remark}")
+            print(f"{each.method}: {message_text(remark)}")
 
 
 def _numbers(each: Answer) -> dict[str, Any]:
@@ -96,7 +105,7 @@ def _numbers(each: Answer) -> dict[str, Any]:
         "sigma_deg": np.degrees(said.sigma).tolist(),
         "lines": each.lines,
         "surfaces": each.surfaces,
-        "remarks": list(each.remarks),
+        "remarks": [english_text(remark) for remark in each.remarks],
         "less_first_deg": None if against is None else np.degrees(against.angles).tolist(),
         "over_sigma": None if against is None else against.significance.tolist(),
         "probability": None if against is None else against.probability,

@@ -14,19 +14,17 @@ from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
     CandidateCause,
+    Component,
     Contradiction,
     CrossChecks,
     SightingReliability,
 )
 from lispac.adjustment.shown import (
     QUANTITIES,
-    SPREAD_LINES,
-    SPREAD_TARGETS,
     STATED,
-    component_shown,
+    component_finding,
     counted,
     plain,
-    significance_words,
 )
 from lispac.adjustment.solver import adjust
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
@@ -35,7 +33,7 @@ from lispac.cli.qualities import as_list, print_doubtful
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.doubles import project_doubts
 from lispac.io.plane_file import read_plane_files
-from lispac.message_texts import message_text
+from lispac.message_texts import english_text, message_text
 from lispac.messages import Message
 from lispac.progress import part
 from lispac.project import Project, Settings, require_prior_sigma
@@ -47,6 +45,12 @@ from lispac.workflow.survey import load_survey
 
 LABEL = 29
 """Characters before the numbers."""
+SIGNIFICANCE = {
+    True: "significant",
+    False: "not significant",
+    None: "not tested: with uncorrelated POS errors the sigmas are too small",
+}
+"""Whether the change of a value is significant; None where it is not tested."""
 
 
 def estimate(arguments: Namespace) -> None:
@@ -231,7 +235,7 @@ def numbers(
         and {
             "condition": seen.condition,
             "direction_sigma_deg": np.degrees(seen.eigenvalues**-0.5).tolist(),
-            "in_words": list(seen.sentences),
+            "in_words": [english_text(each) for each in seen.remarks],
         },
         "reliability": [_reliability(item) for item in result.reliability],
         "contradictions": [_contradiction(found) for found in result.contradictions],
@@ -265,7 +269,7 @@ def _parameter(estimate: Estimate) -> dict[str, Any]:
         "sigma": shown(estimate.sigma),
         "significance": estimate.significance,
         "significant": estimate.significant,
-        "reason": estimate.reason,
+        "reason": "" if estimate.reason is None else english_text(estimate.reason),
     }
 
 
@@ -329,7 +333,7 @@ def _checks(checks: CrossChecks) -> dict[str, Any]:
                 "difference_deg": _degrees(part.difference),
                 "significance": _angles(part.significance),
                 "disagrees": part.disagrees,
-                "reason": part.reason,
+                "reason": "" if part.reason is None else english_text(part.reason),
             }
             for part in checks.parts
         ],
@@ -352,7 +356,8 @@ def print_result(
     }
     if checks is not None:
         for name, spread in (
-            (SPREAD_LINES, checks.spread_lines), (SPREAD_TARGETS, checks.spread_targets)
+            ("Spread, one line left out", checks.spread_lines),
+            ("Spread, one target left out", checks.spread_targets),
         ):  # fmt: skip
             if spread is not None:
                 rows[name] = np.degrees(spread)
@@ -379,9 +384,9 @@ def print_result(
         f"{result.rms_after * 1000:.1f} mm after"
     )
     for component in result.components:
-        print(component_shown(component).sentence)
-    for sentence in result.observability.sentences if result.observability else ():
-        print(sentence)
+        print(_component_line(component))
+    for remark in result.observability.remarks if result.observability else ():
+        print(plain(message_text(remark)))
     found = doubts(result, checks, also)
     if found:
         print("\nTo know before using the angles:")
@@ -415,9 +420,16 @@ def _parameter_line(estimate: Estimate) -> str:
     shown = QUANTITIES[estimate.name]
     factor, places = shown.factor, f".{shown.decimals}f"
     if estimate.value is None or estimate.sigma is None:
-        return estimate.reason
+        return "" if estimate.reason is None else plain(message_text(estimate.reason))
     return (
         f"{shown.title} {factor * estimate.value:+{places}} {shown.unit}, "
         f"sigma {factor * estimate.sigma:{places}}, prior {factor * estimate.prior:+{places}}: "
-        f"{significance_words(estimate)}"
+        f"{SIGNIFICANCE[estimate.significant]}"
+    )
+
+
+def _component_line(found: Component) -> str:
+    return (
+        f"{found.name} sigmas times {found.factor:.2f} (95 %: {found.lower:.2f} to "
+        f"{found.upper:.2f}), {message_text(component_finding(found))}"
     )

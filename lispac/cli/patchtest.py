@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
+from lispac.message_texts import english_text, message_text
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject, checked
 from lispac.patchtest.objects import COUNT
@@ -81,8 +82,8 @@ def print_answer(found: PatchTest) -> None:
             f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
             f"{np.degrees(each.allowed):>13.4f}{mark}"
         )
-    for sentence in found.sentences:
-        print(sentence)
+    for remark in found.remarks:
+        print(message_text(remark))
 
 
 def numbers(found: PatchTest) -> dict[str, Any]:
@@ -114,7 +115,7 @@ def numbers(found: PatchTest) -> dict[str, Any]:
             for each in found.objects
         ],
         "unmet": list(found.unmet),
-        "remarks": list(found.sentences),
+        "remarks": [english_text(each) for each in found.remarks],
     }
 
 

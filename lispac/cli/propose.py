@@ -10,7 +10,7 @@ from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.errors import ProjectError
-from lispac.message_texts import message_text
+from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.workflow import projects
 from lispac.workflow.proposing import propose as proposal_for
@@ -48,7 +48,7 @@ def propose(arguments: Namespace) -> None:
                 "name": target.name, "role": target.role, "seed_m": list(target.seed),
                 "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
                           for s in target.sightings},
-                "reason": plain(proposal.reasons[target.name]),
+                "reason": plain(english_text(proposal.reasons[target.name])),
             }
             for target in proposal.targets
         ]  # fmt: skip
@@ -59,7 +59,7 @@ def propose(arguments: Namespace) -> None:
     for target in proposal.targets:
         north, west, up = target.seed
         print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
-        print(f"     {plain(proposal.reasons[target.name])}")
+        print(f"     {plain(message_text(proposal.reasons[target.name]))}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
     for warning in proposal.warnings:
         print(f"warning: {plain(message_text(warning))}")

@@ -4,6 +4,7 @@ from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.estimate import numbers, print_result
+from lispac.message_texts import english_text, message_text
 from lispac.progress import part
 from lispac.workflow.opinions import of_the_scene
 from lispac.workflow.projects import save_project
@@ -42,10 +43,10 @@ def targetless(arguments: Namespace) -> None:
                 "candidates": found.candidates,
                 "targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
-                "remarks": list(found.sentences),
+                "remarks": [english_text(each) for each in found.remarks],
             }
         )
         return
     print_result(found.result, None)
-    for sentence in found.sentences:
-        print(sentence)
+    for remark in found.remarks:
+        print(message_text(remark))

@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject, QTimer
 
 from lispac.errors import LispacError
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels.patch_angles import NEAR
 from lispac.gui.panels.patch_test import EMPTY, NO_DATA, PatchTestPanel
 from lispac.gui.patch_objects import PatchObjects
@@ -17,6 +16,7 @@ from lispac.gui.viewport.base import Array, Colour, Sketch
 from lispac.gui.viewport.clipping import EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject
 from lispac.patchtest.mismatch import Mismatch, lowest
@@ -289,8 +289,8 @@ class Patching(QObject):
             panel = self.panel
             panel.angles.start_at(found.boresight, NEAR)
             panel.angles.show_found(found.boresight, found.sigma, found.curvature)
-            panel.said.setText(units.signs(say("\n".join(found.sentences)), "°", "mm"))
-            panel.mark_objects({each.name: each.sentence for each in found.disagreeing})
+            panel.said.setText(units.signs("\n".join(map(message_text, found.remarks)), "°", "mm"))
+            panel.mark_objects({each.name: each.disagreement for each in found.disagreeing})
             self._follow()
             self._enable()
 

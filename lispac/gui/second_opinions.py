@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.language import N_, gettext
+from lispac.messages import Message
 from lispac.methods import answers, missing
 from lispac.progress import Progress
 from lispac.project import Project
@@ -15,7 +16,7 @@ from lispac.workflow.survey import Survey
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-Asked = tuple[Project, Mapping[str, str]]
+Asked = tuple[Project, Mapping[str, Message]]
 
 
 class SecondOpinions(QObject):
@@ -31,7 +32,7 @@ class SecondOpinions(QObject):
             moved.connect(self._enable)
         self._enable()
 
-    def compare(self, refused: Mapping[str, str] | None = None) -> None:
+    def compare(self, refused: Mapping[str, Message] | None = None) -> None:
         """Show the available results, and run the other methods on request.
 
         Parameters

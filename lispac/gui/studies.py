@@ -11,6 +11,8 @@ from PySide6.QtCore import QObject
 from lispac.gui.panels.histograms import preload
 from lispac.installed import home_folder
 from lispac.language import N_, gettext
+from lispac.message_texts import note_text
+from lispac.messages import Message
 from lispac.progress import Progress, part
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute
@@ -57,7 +59,7 @@ class Studies(QObject):
         if folder is None:
             return
 
-        def work(progress: Progress) -> tuple[tuple[History, ...], tuple[str, ...]]:
+        def work(progress: Progress) -> tuple[tuple[History, ...], tuple[Message, ...]]:
             preload()
             # An answer that is not saved yet counts too.
             current = [] if project is None or project.result is None else [project]
@@ -79,18 +81,18 @@ class Studies(QObject):
         if request is None:
             return
 
-        def work(progress: Progress) -> tuple[Project, tuple[str, ...]]:
+        def work(progress: Progress) -> tuple[Project, tuple[Message, ...]]:
             preload()
             return check_absolute(
                 project, survey, request.path, crs=request.crs, height=request.height,
                 sigma=request.sigma, reach=request.reach, progress=progress,
             )  # fmt: skip
 
-        def done(checked: tuple[Project, tuple[str, ...]]) -> None:
+        def done(checked: tuple[Project, tuple[Message, ...]]) -> None:
             found, notes = checked
             self._document.edit(N_("check against {file}"), found, file=request.path.name)
             for note in notes:
-                self._controller.noted.emit(note)
+                self._controller.noted.emit(note_text(note))
             assert found.absolute is not None
             self._dialogs.checked(Absolute.of(found.absolute))
 

@@ -1,9 +1,12 @@
 """Whether a project that was read is one that the program can have written."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from lispac.foreign_values import LARGEST_INTEGER, InvalidContentError
-from lispac.messages import error
+from lispac.message_texts import has_text
+from lispac.messages import Message, error
 from lispac.project import ROLES, SHAPES, Project, require_target
 from lispac.targets.settings import is_possible_search
 
@@ -49,6 +52,27 @@ def require_consistent(project: Project) -> None:
     for opinion in project.opinions:
         if not opinion.is_sound():
             raise InvalidContentError(error("content.invalid_angles", method=opinion.method))
+    for message in _messages(project):
+        if not has_text(message):
+            raise InvalidContentError(error("content.unknown_message", code=message.code))
+
+
+def _messages(project: Project) -> Iterator[Message]:
+    """Messages that are kept with targets and results."""
+    for target in project.targets:
+        yield from target.missing.values()
+    yield from project.not_compared.values()
+    result, checks = project.result, project.cross_checks
+    reasons: list[Message | None] = []
+    if result is not None:
+        reasons += [each.reason for each in result.parameters]
+        yield from () if result.observability is None else result.observability.remarks
+    if checks is not None:
+        reasons += [part.reason for part in checks.parts]
+    yield from (reason for reason in reasons if reason is not None)
+    yield from () if project.absolute is None else project.absolute.not_compared
+    for opinion in project.opinions:
+        yield from opinion.remarks
 
 
 def require_single_names(project: Project) -> None:

@@ -95,13 +95,55 @@ def _from_7(content: Content) -> Content:
 
 
 def _from_8(content: Content) -> Content:
-    """Version 9 keeps reasons as messages; of an older one their English text is known."""
+    """Version 9 keeps reasons and remarks as messages; of an older one the text is known."""
     targets = [
         target | {"missing": {line: _former_text(why) for line, why in target["missing"].items()}}
         for target in content["targets"]
     ]
     not_compared = {name: _former_text(why) for name, why in content["not_compared"].items()}
-    return content | {"schema_version": 9, "targets": targets, "not_compared": not_compared}
+    return content | {
+        "schema_version": 9,
+        "targets": targets,
+        "not_compared": not_compared,
+        "result": _result_from_8(content["result"]),
+        "cross_checks": _cross_checks_from_8(content["cross_checks"]),
+        "absolute": _absolute_from_8(content.get("absolute")),
+        "opinions": [
+            each | {"remarks": _former_texts(each["remarks"])} for each in content["opinions"]
+        ],
+    }
+
+
+def _result_from_8(result: Any) -> Any:
+    if not result:
+        return result
+    seen = dict(result["observability"] or {})
+    if seen:
+        seen["remarks"] = _former_texts(seen.pop("sentences"))
+    return result | {
+        "observability": seen or None,
+        "parameters": [_reason_from_8(each) for each in result["parameters"]],
+    }
+
+
+def _cross_checks_from_8(checks: Any) -> Any:
+    return checks and checks | {"parts": [_reason_from_8(each) for each in checks["parts"]]}
+
+
+def _absolute_from_8(check: Any) -> Any:
+    if not check:
+        return check
+    check = dict(check)
+    return check | {"not_compared": _former_texts(check.pop("unseen"))}
+
+
+def _reason_from_8(found: Content) -> Content:
+    """An estimate, or a part of the data: an empty reason is none."""
+    return found | {"reason": _former_text(found["reason"]) if found["reason"] else None}
+
+
+def _former_texts(texts: Any) -> list[Content]:
+    return [_former_text(each) for each in texts]
 
 
 def _former_text(text: Any) -> Content:

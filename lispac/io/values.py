@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import LispacError
 from lispac.foreign_values import LARGEST_QUANTITY, InvalidContentError, Shape
-from lispac.messages import Message, error
+from lispac.messages import Level, Message, error
 from lispac.messages import Value as MessageValue
 
 Value = TypeVar("Value")
@@ -22,6 +22,7 @@ def _converter() -> Any:
 
     converter = Converter(forbid_extra_keys=True)
     converter.register_unstructure_hook_func(_is_array, _array_content)
+    converter.register_unstructure_hook(Level, lambda level: level.value)
     converter.register_structure_hook_func(_is_array, _array)
     for kind, read in {int: _integer, float: _number, bool: _truth, str: _text}.items():
         converter.register_structure_hook(kind, read)

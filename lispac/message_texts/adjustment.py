@@ -129,4 +129,51 @@ TEXTS: Mapping[str, Template] = {
         "ms, and with the given value they do not determine the boresight. Measure it again, or "
         "estimate it."
     ),
+    # -- observability -----------------------------------------------------------------------------
+    "observability.directions": N_(
+        "The weakest direction is {weakest}, with a standard deviation of {weakest_sigma:deg.3} "
+        "deg. The strongest is {strongest}, with {strongest_sigma:deg.3} deg."
+    ),
+    "observability.main_lines": Plural(
+        "Mainly line {lines:names} determines {angle}. Without {line}, its standard deviation is "
+        "{without:deg} deg instead of {sigma:deg} deg.",
+        "Mainly lines {lines:names} determine {angle}. Without {line}, its standard deviation is "
+        "{without:deg} deg instead of {sigma:deg} deg.",
+    ),
+    "observability.no_main_line": N_(
+        "The standard deviation of {angle} does not depend on any single line."
+    ),
+    "observability.one_sphere": N_(
+        "{target} is the only target, and nothing shows whether it is out of shape or has moved. "
+        "Add another target."
+    ),
+    # -- values that are not estimated -------------------------------------------------------------
+    "parameter.rotates_like_boresight": N_(
+        "These lines and targets do not determine the {parameter}: like the boresight, it rotates "
+        "the points about the axis of the scanner. {kept}"
+    ),
+    "parameter.raises_all_lines": N_(
+        "These lines and targets do not determine the {parameter}: on level lines it moves the "
+        "points of all lines up or down alike. {kept}"
+    ),
+    "parameter.not_separated": N_(
+        "These lines and targets do not determine the {parameter}: its effect cannot be separated "
+        "from that of {other} or of the positions of the targets. {kept}"
+    ),
+    "parameter.kept": N_("The given value is used."),
+    "parameter.kept_uncertain": N_(
+        "The given value is used, and its standard deviation is part of those of the angles."
+    ),
+    "parameter.not_classical": N_(
+        "With uncorrelated POS errors, the {parameter} would be wrong and its standard deviation "
+        "far too small. The given value is used. To estimate it, use correlated POS errors."
+    ),
+    # -- parts of the data -------------------------------------------------------------------------
+    "cross_check.no_common_target": N_("No target is left on two lines."),
+    # -- variance components -----------------------------------------------------------------------
+    "component.larger": N_("applied: larger than given"),
+    "component.smaller": N_("applied: smaller than given"),
+    "component.not_determined": N_("not applied: not determined by the data"),
+    "component.as_given": N_("not applied: the given value lies within the interval"),
+    "component.too_small": N_("not applied: too small a change, or too weakly determined"),
 }

@@ -169,4 +169,19 @@ TEXTS: Mapping[str, Template] = {
         "{roll:deg.2}, {pitch:deg.2}, {heading:deg.2} deg/s (roll, pitch, heading)."
     ),
     "budget.no_latency": N_("A latency was not estimated and is not included."),
+    "propose.target": N_(
+        "Seen on {lines:n} lines. Without it the standard deviation of {angle} would be "
+        "{without:deg.3} deg instead of {sigma:deg.3} deg."
+    ),
+    "propose.target_needed": N_(
+        "Seen on {lines:n} lines. Without it the angles are not determined."
+    ),
+    "propose.validation_plane": N_(
+        "Plane of {area:x.1} m², seen on {lines:n} lines, {height:m.0} m high."
+    ),
+    "propose.validation_plane_reciprocal": N_(
+        "Plane of {area:x.1} m², seen on {lines:n} lines, reciprocal ones among them, "
+        "{height:m.0} m high."
+    ),
+    "propose.validation_plane_poor": N_("{plane} Poor on {lines:names}: {reason}"),
 }

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.language import N_, Template
+from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- cloud distances ---------------------------------------------------------------------------
@@ -136,4 +136,119 @@ TEXTS: Mapping[str, Template] = {
     "patch_test.box_size": N_(
         "{name}: each side of the box must be from {least:m} to {most:m} m. Correct it."
     ),
+    "patch_test.basis": Plural(
+        "The result is based on {count:n} object and {lines:n} lines.",
+        "The result is based on {count:n} objects and {lines:n} lines.",
+    ),
+    "patch_test.mismatch_reduced": N_(
+        "The mismatch (robust RMS distance between lines, at most {limit:mm.0} mm) decreases from "
+        "{before:mm.1} mm with the prior boresight to {after:mm.1} mm."
+    ),
+    "patch_test.mismatch": N_(
+        "The mismatch (robust RMS distance between lines, at most {limit:mm.0} mm) is "
+        "{after:mm.1} mm. With the prior boresight the lines do not meet at the objects."
+    ),
+    "patch_test.no_sigma": Plural(
+        "There are no standard deviations: {count:n} object is too few to know how much the result "
+        "would change with others. At least {needed:n} are needed.",
+        "There are no standard deviations: {count:n} objects are too few to know how much the "
+        "result would change with others. At least {needed:n} are needed.",
+    ),
+    "patch_test.not_converged": N_("The angles were still changing when the search ended."),
+    "patch_test.order_matters": N_(
+        "Found one after another, the angles end elsewhere: {angle} differs by {difference:deg.3} "
+        "deg."
+    ),
+    "patch_test.object_disagrees": N_(
+        "{object} disagrees: its own minimum of {angle} is off by {difference:deg.3+} deg, and "
+        "{usual:deg.3} deg would be usual."
+    ),
+    "patch_test.not_met": N_("No two of the lines meet at {objects:names}."),
+    # -- targetless --------------------------------------------------------------------------------
+    "targetless.basis": N_(
+        "The result is based on {used:n} of {total:n} natural surfaces that lines share. Rounds of "
+        "matching: {rounds:n}."
+    ),
+    "targetless.with_targets": N_("Targets adjusted with them: {targets:n}."),
+    "targetless.not_converged": N_(
+        "In the last round of matching, the angles still changed by more than {share:percent.0} % "
+        "of their standard deviations."
+    ),
+    "targetless.lines_disagree": N_("Lines that disagree with the others: {lines:names}."),
+    # -- methods -----------------------------------------------------------------------------------
+    "method.targets": N_("targets"),
+    "method.natural_planes": N_("natural planes"),
+    "method.targetless": N_("targetless method"),
+    "method.patch_test": N_("patch test"),
+    "methods.agree": N_(
+        "No significant difference between the {method} and the {other}: a point at "
+        "{distance:m.0} m moves by {displacement:mm.0} mm."
+    ),
+    "methods.differ": N_(
+        "Significant difference between the {method} and the {other} in {angles:names}: a point at "
+        "{distance:m.0} m moves by {displacement:mm.0} mm."
+    ),
+    "methods.differ_together": N_(
+        "Significant difference between the {method} and the {other} in all angles together: a "
+        "point at {distance:m.0} m moves by {displacement:mm.0} mm."
+    ),
+    "methods.same_lines": N_(
+        "All methods use the same lines, so no comparison shows an error of the trajectory that "
+        "affects them alike. The standard deviations of the differences are rather too large: a "
+        "difference indicates an error, but agreement is no proof."
+    ),
+    # -- reference ---------------------------------------------------------------------------------
+    "absolute.after_nearer": N_(
+        "After the calibration all lines together lie {mean:mm.1} mm nearer to the vessel than the "
+        "reference on average, ± {interval:mm.1} mm (95 %). {finding}"
+    ),
+    "absolute.after_farther": N_(
+        "After the calibration all lines together lie {mean:mm.1} mm farther from the vessel than "
+        "the reference on average, ± {interval:mm.1} mm (95 %). {finding}"
+    ),
+    "absolute.before_nearer": N_(
+        "Before the calibration they lay {mean:mm.1} mm nearer to the vessel, ± {interval:mm.1} mm "
+        "(95 %) without the uncertainty of the prior boresight, which is unknown. {finding}"
+    ),
+    "absolute.before_farther": N_(
+        "Before the calibration they lay {mean:mm.1} mm farther from the vessel, ± "
+        "{interval:mm.1} mm (95 %) without the uncertainty of the prior boresight, which is "
+        "unknown. {finding}"
+    ),
+    "absolute.explained": N_("This is no more than reference, POS and boresight explain."),
+    "absolute.not_explained": N_("This is more than reference, POS and boresight explain."),
+    "absolute.explained_before": N_("This is no more than reference and POS explain."),
+    "absolute.not_explained_before": N_("This is more than reference and POS explain."),
+    "absolute.no_line_off": N_(
+        "After the calibration no single line is off by more than its errors explain."
+    ),
+    "absolute.rms": N_(
+        "The RMS of all distances is {before:mm.1} mm before and {after:mm.1} mm after. The "
+        "uncertainty of the reference ({reference:mm.1} mm) explains {share:percent.0} % of the "
+        "latter; {expected:mm.1} mm are expected from reference, POS and boresight together."
+    ),
+    "absolute.other_surface": N_(
+        "Another surface lies behind or in front of the one measured, within {distance:m} m of the "
+        "reference: {lines:names}. The one nearest to the reference is used, which is the wrong "
+        "one for a line that is off by more than half that distance."
+    ),
+    "absolute.former_version": N_(
+        "This check was made by an earlier version, which used the mean of all surfaces within the "
+        "search distance. It is wrong where a wall stands behind the reference. Repeat it."
+    ),
+    "absolute.scan_error": N_(
+        "The standard deviation of the reference counts as one error that all points of the scan "
+        "share, such as that of its registration. The noise of its single points averages out."
+    ),
+    "absolute.point_errors": N_("Each surveyed point counts with an error of its own."),
+    "absolute.lines_alike": N_(
+        "In the values of all lines together, means and RMS count each line alike, because its "
+        "places share its POS error. Medians and percentiles are those of all places."
+    ),
+    # -- surface of a line -------------------------------------------------------------------------
+    "surface.nearest_point": N_("nearest point"),
+    "surface.plane": N_("local plane through {count:n} points"),
+    "surface.plane_within": N_("local plane through the points within {radius:m} m"),
+    "surface.quadric": N_("local quadric through {count:n} points"),
+    "surface.quadric_within": N_("local quadric through the points within {radius:m} m"),
 }

@@ -174,6 +174,8 @@ TEXTS: Mapping[str, Template] = {
     "assumed.list_system": N_("The coordinates are in {system}."),
     "list_column.name": N_("name"),
     "list_column.role": N_("role"),
+    "list_column.plane": N_("plane"),
+    "list_column.sigma": N_("standard deviation"),
     "list_column.unused": N_("not used"),
     "axis.north": N_("north"),
     "axis.west": N_("west"),

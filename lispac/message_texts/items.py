@@ -36,6 +36,7 @@ TEXTS: Mapping[str, Template] = {
     "item.share_of_points": N_("{share:percent.0} % of the points of {target}"),
     "item.points_in_common": N_("{one} with {other} ({share:percent.0} % on {line})"),
     "item.apart": N_("{distance:mm.0} mm and {angle:deg.2} deg at {inclination:deg.0} deg"),
+    "item.other_surface": N_("{line} ({places:n} of {total:n} places, {distance:m.2} m away)"),
     "item.mean_distance": N_("{name} ({mean:mm.1+} mm, ± {interval:mm.1} mm)"),
     # -- angles ------------------------------------------------------------------------------
     "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),

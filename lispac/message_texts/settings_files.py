@@ -30,6 +30,7 @@ TEXTS: Mapping[str, Template] = {
     "content.wrong_form": N_("The values of {part} have the wrong types or are incomplete."),
     "content.unknown_fields": N_("{part} has fields that are not known: {names:names}."),
     "content.invalid_part": N_("The values of {part} cannot be used. {reason}"),
+    "content.unknown_message": N_("A message has the unknown code {code}, or wrong parameters."),
     "content.unknown_role": N_("Target {target} has the unknown role {role}."),
     "content.unknown_shape": N_("Target {target} has the unknown shape {shape}."),
     "content.invalid_search": N_(

@@ -59,6 +59,23 @@ TEXTS: Mapping[str, Template] = {
         "{project}: no two lines share a flat place within {distance:m} m of each other. "
         "Increase the search distance, or add lines over the same scene."
     ),
+    # -- reference -----------------------------------------------------------------------------
+    "reference.points_used": N_("{file}: {used:n} of {total:n} points lie where the lines are."),
+    "reference.points_used_sample": N_(
+        "{file}: {used:n} of {total:n} points are used, one in {one_in:n} of those where the lines "
+        "are."
+    ),
+    "reference.large_sigma": Plural(
+        "Point {name} has a standard deviation of {sigma:m} m, and surveyed points rarely have "
+        "more than {limit:m} m. The list is read in metres: correct it if they are millimetres.",
+        "{count:n} points have standard deviations of more than {limit:m} m, which is rare for "
+        "surveyed points: {name} has {sigma:m} m. The list is read in metres: correct it if they "
+        "are millimetres.",
+    ),
+    "reference.plane_off": N_(
+        "A point of plane {plane} lies {distance:mm.1} mm off the plane through all of its points, "
+        "and its standard deviation is {sigma:mm.1} mm. Check the list."
+    ),
     # -- coordinates ---------------------------------------------------------------------------
     "coordinates.swapped_local": N_(
         "{name}: the coordinates {values} do not lie near the trajectory in the local frame, "
@@ -243,6 +260,9 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- check ---------------------------------------------------------------------------------
     "check.line_not_compared": N_("{line}: {reason}"),
+    "check.points_not_compared": N_(
+        "No line has a flat place within {distance:m} m of {points:names}."
+    ),
     # -- project_files -------------------------------------------------------------------------
     "project_files.many_missing": N_(
         "{file}: this file does not exist, and {count:n} other files are missing too "

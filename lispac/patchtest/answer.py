@@ -1,11 +1,12 @@
-"""What a patch test found, and the sentences that say so."""
+"""What a patch test found."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.shown import listed
+from lispac.adjustment.message_parts import quantity
+from lispac.messages import Message, note
 from lispac.patchtest.mismatch import SCALE
 from lispac.patchtest.optimise import ANGLES
 from lispac.patchtest.sigmas import FEWEST, ObjectFound
@@ -66,36 +67,32 @@ class PatchTest:
         return tuple(each for each in self.objects if each.disagrees)
 
     @property
-    def sentences(self) -> tuple[str, ...]:
-        """What the answer rests on and what to think of it, in words."""
+    def remarks(self) -> tuple[Message, ...]:
+        """What the result is based on, and what limits it."""
+        count = len(self.objects)
         found = [
-            f"The answer rests on {len(self.objects)} objects and {len(self.lines)} lines.",
-            self._fall,
+            note("patch_test.basis", count=count, lines=len(self.lines)),
+            self._mismatch_remark,
         ]
         if self.covariance is None:
-            found.append(
-                f"A sigma cannot be stated: {len(self.objects)} objects are too few to tell how "
-                f"far the answer would move with others; at least {FEWEST} are needed."
-            )
+            found.append(note("patch_test.no_sigma", count=count, needed=FEWEST))
         if not self.settled:
-            found.append("The angles still moved when the search ended.")
+            found.append(note("patch_test.not_converged"))
         apart = np.abs(self.one_by_one - self.boresight)
         if apart.max() > FAR:
-            angle = int(apart.argmax())
-            found.append(
-                f"Turned one after another, the angles end elsewhere: the {ANGLES[angle]} by "
-                f"{np.degrees(apart[angle]):.3f} deg."
-            )
-        found.extend(each.sentence for each in self.disagreeing)
+            k = int(apart.argmax())
+            angle = quantity(ANGLES[k])
+            found.append(note("patch_test.order_matters", angle=angle, difference=apart[k]))
+        found.extend(each.disagreement for each in self.disagreeing)
         if self.unmet:
-            found.append(f"No two of the lines meet at: {listed(self.unmet)}.")
+            found.append(note("patch_test.not_met", objects=self.unmet))
         return tuple(found)
 
     @property
-    def _fall(self) -> str:
-        now, most = 1000 * self.mismatch, 1000 * SCALE
-        words = f"The mismatch (robust RMS distance between lines, at most {most:.0f} mm)"
+    def _mismatch_remark(self) -> Message:
         if not np.isfinite(self.mismatch_before):
-            return f"{words} is {now:.1f} mm; with the prior boresight the lines do not meet there."
-        before = 1000 * self.mismatch_before
-        return f"{words} falls from {before:.1f} mm with the prior boresight to {now:.1f} mm."
+            return note("patch_test.mismatch", limit=SCALE, after=self.mismatch)
+        return note(
+            "patch_test.mismatch_reduced",
+            limit=SCALE, before=self.mismatch_before, after=self.mismatch,
+        )  # fmt: skip

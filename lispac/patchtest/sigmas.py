@@ -15,6 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.message_parts import quantity
+from lispac.messages import Message, note
 from lispac.patchtest.mismatch import Mismatch
 from lispac.patchtest.optimise import ANGLES, LEVERAGE, require_told
 from lispac.patchtest.sample import Seen
@@ -69,14 +71,14 @@ class ObjectFound:
         return self.angle is not None and abs(self.off) > self.allowed
 
     @property
-    def sentence(self) -> str:
-        """How far it is off, in words."""
+    def disagreement(self) -> Message:
+        """The remark that it disagrees, and by how much."""
         assert self.angle is not None
-        return (
-            f"{self.name} does not agree: its own minimum of the {ANGLES[self.angle]} is off by "
-            f"{np.degrees(self.off):+.3f} deg, and {np.degrees(self.allowed):.3f} deg would be "
-            "usual."
-        )
+        return note(
+            "patch_test.object_disagrees",
+            object=self.name, angle=quantity(ANGLES[self.angle]), difference=self.off,
+            usual=self.allowed,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

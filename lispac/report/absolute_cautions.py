@@ -6,7 +6,7 @@ from statistics import NormalDist
 from lispac.causes import Cause
 from lispac.messages import Message, note, warning
 from lispac.report.absolute_values import Absolute
-from lispac.validation.absolute_words import Off
+from lispac.validation.absolute_remarks import Off, items
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
 LARGE, TOO_LARGE = 2.0, 3.0
@@ -51,7 +51,7 @@ def _lines(each: Sequence[Off]) -> Iterator[Message]:
         beyond = _is_beyond_chance(each)
         yield (warning if beyond else note)(
             "report.absolute_line_off" if beyond else "report.absolute_line_off_by_chance",
-            count=len(off), total=len(each), lines=_items(off), subject=Cause.of_line(farthest[0]),
+            count=len(off), total=len(each), lines=items(off), subject=Cause.of_line(farthest[0]),
         )  # fmt: skip
 
 
@@ -61,7 +61,7 @@ def _points(each: Sequence[Off]) -> Iterator[Message]:
         beyond = _is_beyond_chance(each)
         yield (warning if beyond else note)(
             "report.absolute_point_off" if beyond else "report.absolute_point_off_by_chance",
-            count=len(off), total=len(each), points=_items(off), subject=VALIDATE,
+            count=len(off), total=len(each), points=items(off), subject=VALIDATE,
         )  # fmt: skip
 
 
@@ -74,12 +74,6 @@ def _is_beyond_chance(each: Sequence[Off]) -> bool:
 
     largest = -float(ndtri(0.025 / len(each))) / NORMAL_95
     return any(abs(mean) > largest * half for _, mean, half in each)
-
-
-def _items(off: Sequence[Off]) -> list[Message]:
-    return [
-        note("item.mean_distance", name=name, mean=mean, interval=half) for name, mean, half in off
-    ]
 
 
 def _rms(found: float, expected: float) -> Message:

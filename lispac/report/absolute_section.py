@@ -6,7 +6,17 @@ from lispac.language import N_, gettext
 from lispac.report.absolute_values import Absolute, AgainstReference, SurveyedPoint
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.values import ReportContent
-from lispac.report.wording import fixed, grouped, interval, known, mm, percent, shortest, signed
+from lispac.report.wording import (
+    fixed,
+    grouped,
+    interval,
+    known,
+    mm,
+    percent,
+    sentence,
+    shortest,
+    signed,
+)
 from lispac.validation.absolute import ALL_LINES
 
 LOCAL = "the local frame"
@@ -35,7 +45,7 @@ def absolute(content: ReportContent) -> list[Block]:
         Paragraph(_reference(found)),
         Paragraph(gettext(DISTANCES, reach=shortest(found.reach_m))),
         _table(found),
-        Bullets(found.in_words),
+        Bullets(tuple(map(sentence, found.in_words))),
     ]
     caption = gettext("Distances of all lines from the reference, before and after.")
     blocks += [
@@ -46,7 +56,8 @@ def absolute(content: ReportContent) -> list[Block]:
     if found.points:
         blocks.append(_points(found.points))
     if found.not_compared:
-        blocks += [Paragraph(gettext("Not compared:")), Bullets(found.not_compared)]
+        reasons = tuple(map(sentence, found.not_compared))
+        blocks += [Paragraph(gettext("Not compared:")), Bullets(reasons)]
     return blocks
 
 

@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass
 
+from lispac.messages import Message
 from lispac.report.validation_values import Distances, Signed
 from lispac.validation.absolute import AbsoluteCheck, AbsoluteState, Explained, LineCheck
-from lispac.validation.absolute_words import absolute_words
+from lispac.validation.absolute_remarks import remarks_on
 
 
 @dataclass(frozen=True)
@@ -97,11 +98,11 @@ class Absolute:
     lines: tuple[LineAgainstReference, ...]
     together: LineAgainstReference
     points: tuple[SurveyedPoint, ...]
-    not_compared: tuple[str, ...]
+    not_compared: tuple[Message, ...]
     bin_edges_m: tuple[float, ...]
     counts_before: tuple[int, ...]
     counts_after: tuple[int, ...]
-    in_words: tuple[str, ...]
+    in_words: tuple[Message, ...]
 
     @classmethod
     def of(cls, check: AbsoluteCheck) -> "Absolute":
@@ -118,9 +119,9 @@ class Absolute:
                 SurveyedPoint(p.name, p.lines, p.sigma, p.before, p.after, p.interval_95)
                 for p in check.points
             ),
-            not_compared=check.unseen,
+            not_compared=check.not_compared,
             bin_edges_m=check.bin_edges,
             counts_before=check.counts_before,
             counts_after=check.counts_after,
-            in_words=absolute_words(check),
+            in_words=remarks_on(check),
         )

@@ -14,6 +14,7 @@ from lispac.report.wording import (
     in_unit,
     known,
     quantity,
+    sentence,
     shortest,
     signed,
     title,
@@ -110,7 +111,7 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
         rows(_parameter_row(p) for p in adjustment.parameters),
     )
     blocks: list[Block] = [table]
-    reasons = tuple(p.reason for p in adjustment.parameters if p.reason)
+    reasons = tuple(sentence(p.reason) for p in adjustment.parameters if p.reason)
     if reasons:
         blocks.append(Bullets(reasons))
     if any(p.value is not None for p in adjustment.parameters):
@@ -182,7 +183,7 @@ def _observability(content: ReportContent, found: Seen) -> list[Block]:
     )
     blocks: list[Block] = [
         Paragraph(gettext("How well the lines determine the angles:")),
-        Bullets((*found.in_words, condition)),
+        Bullets((*map(sentence, found.in_words), condition)),
     ]
     if found.sigma_without_line_deg:
         deg = degrees_unit()

@@ -22,6 +22,7 @@ from lispac.report.wording import (
     known,
     mm,
     named_parts,
+    sentence,
     signed,
     title,
 )
@@ -244,7 +245,7 @@ def cross_checks(content: ReportContent) -> list[Block]:
         Paragraph(gettext(PARTS)),
     ]
     reasons = tuple(
-        gettext("{name}: {reason}", name=name, reason=part.reason)
+        gettext("{name}: {reason}", name=name, reason=sentence(part.reason))
         for name, part in named_parts(checks)
         if part.reason
     )

@@ -18,7 +18,7 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
 from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import Message
-from lispac.methods import answers, sentences
+from lispac.methods import answers, remarks_on
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.absolute_values import Absolute
@@ -146,7 +146,7 @@ def report_content(
         budget=None if budget is None else Budget.of(budget),
         trajectory=tuple(trajectory),
         methods=tuple(MethodAnswer.of(each) for each in methods),
-        methods_in_words=sentences(methods),
+        methods_in_words=remarks_on(methods),
     )
     also = (refused_since(refused),) if refused else ()
     return replace(content, cautions=cautions_of(content, doubts_of(project, also)))

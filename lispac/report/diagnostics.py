@@ -14,7 +14,7 @@ from lispac.adjustment.result import (
     Observability,
     SightingReliability,
 )
-from lispac.adjustment.shown import STATED, UNCHECKED, component_shown, standing
+from lispac.adjustment.shown import STATED, UNCHECKED, component_finding, standing
 from lispac.report.values import (
     CheckedPart,
     CrossChecked,
@@ -46,7 +46,7 @@ def parameters_of(result: AdjustmentResult) -> tuple[ExtraParameter, ...]:
                 sigma=_times(factor, estimate.sigma),
                 significance=None if significance is None else number(significance),
                 significant=estimate.significant,
-                reason=estimate.reason,
+                reason=estimate.reason or "",
             )
         )
     return tuple(found)
@@ -68,14 +68,14 @@ def seen(observability: Observability | None) -> Seen | None:
             line: None if sigma is None else _degrees(sigma)
             for line, sigma in observability.sigma_without_line.items()
         },
-        in_words=observability.sentences,
+        in_words=observability.remarks,
     )
 
 
 def components_of(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
     """Variance components of the groups of errors."""
     return tuple(
-        VarianceComponent(c.name, c.factor, c.lower, c.upper, c.applied, component_shown(c).finding)
+        VarianceComponent(c.name, c.factor, c.lower, c.upper, c.applied, component_finding(c))
         for c in result.components
     )
 
@@ -138,7 +138,7 @@ def _part(part: CrossCheck) -> CheckedPart:
         difference_deg=_known_degrees(part.difference),
         significance=None if part.significance is None else _floats(part.significance),
         disagrees=part.disagrees,
-        reason=part.reason,
+        reason=part.reason or "",
     )
 
 

@@ -1,11 +1,12 @@
 """Texts, tables and figures of a report, the same for every kind of file it is written to."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError, system_reason
-from lispac.language import Plural, gettext, in_language
+from lispac.language import gettext, in_language
+from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.report import sections
 from lispac.report.absolute_section import absolute
@@ -29,17 +30,12 @@ from lispac.report.options import USUAL, ReportOptions
 from lispac.report.quality_section import quality_of_sightings
 from lispac.report.settings_section import settings
 from lispac.report.standards_section import standards
-from lispac.report.translated import translated, translator, warnings_and_notes
 from lispac.report.validation_section import validation
 from lispac.report.values import ReportContent
-from lispac.report.wording import moment
+from lispac.report.wording import HYPHEN, moment, with_minus
 
 TWO_ON_A_PAGE = 92.0
 """Height of a picture, mm, of which two with their captions fit on the smaller page."""
-ENGLISH_TEXTS = Plural(
-    "{count:n} text of this report is in English: its translation is not known.",
-    "{count:n} texts of this report are in English: their translation is not known.",
-)
 
 
 def document_of(
@@ -57,30 +53,18 @@ def document_of(
     InputError
         Where a picture or the logo cannot be read, or there is no report in this language.
     """
-    say = translator(content, options.language)
     with in_language(options.language):
-        document = drawn_document(undrawn_document(content, pictures, options, say))
-        if not say.unknown:
-            return document
-        left = gettext(ENGLISH_TEXTS, count=len(say.unknown))
-        return replace(document, cautions=(*document.cautions, left))
+        return drawn_document(undrawn_document(content, pictures, options))
 
 
 def undrawn_document(
     content: ReportContent,
     pictures: Mapping[str, Path],
     options: ReportOptions = USUAL,
-    say: Callable[[str], str] = str,
 ) -> Document:
-    """The report in the language in use, its figures not drawn yet.
-
-    Parameters
-    ----------
-    say : translates English sentences of the content
-    """
-    serious, notes = warnings_and_notes(content, say)
+    """The report in the language in use, its figures not drawn yet."""
+    serious, notes = (_texts(content, serious=wanted) for wanted in (True, False))
     status, verdict = _verdict(content, bool(serious))
-    content = translated(content, say)
     parts = [
         _section(gettext("Boresight and its uncertainty"), boresight(content)),
         _section(gettext("Uncertainty in standard terms"), standards(content)),
@@ -127,6 +111,31 @@ def undrawn_document(
             contents=gettext("Contents"),
         ),
     )
+
+
+def _texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
+    """Texts of the serious warnings, or of the others, with true minus signs."""
+    names = tuple(name for name in _names(content) if HYPHEN.search(name))
+    return tuple(
+        with_minus(message_text(each), names)
+        for each in content.cautions
+        if each.is_serious == serious
+    )
+
+
+def _names(content: ReportContent) -> Iterator[str]:
+    """Names of targets, lines, files and the like, whose hyphens stay."""
+    yield from (content.project, content.program)
+    yield from (plane.name for plane in content.planes)
+    yield from (plane.name for plane in content.validation)
+    for line in content.lines:
+        yield from (line.name, line.file)
+    yield from (file.name for file in content.files)
+    if content.absolute is not None:
+        yield from (point.name for point in content.absolute.points)
+    if content.adjustment is not None:
+        for sighting in content.adjustment.sightings:
+            yield from (sighting.target, sighting.line)
 
 
 def drawn_document(document: Document) -> Document:

@@ -10,11 +10,11 @@ from matplotlib.patches import StepPatch
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
 from lispac.report.legends import USUAL, top_below_legend
 from lispac.report.validation_values import ValidationPlane
 from lispac.report.wording import grouped, localised
-from lispac.reverse_translation.translation import Say, unchanged
 from lispac.validation.bins import merged
 from lispac.validation.results import PlaneComparison
 
@@ -51,7 +51,6 @@ def histogram_figure(
     figure: Figure | None = None,
     *,
     share: bool = False,
-    say: Say = unchanged,
 ) -> Figure:
     """Distances between lines on one validation plane, before and after over each other.
 
@@ -59,8 +58,6 @@ def histogram_figure(
     ----------
     share : bool
         Draw the share of the points in each millimetre instead of their number in each bin.
-    say : callable
-        Translates the English name of the model of the surface.
     """
     before, after = comparison.before, comparison.after
     counted = _Counted(
@@ -73,7 +70,7 @@ def histogram_figure(
         before.n,
         NEAR * after.p95,
     )
-    title = _title(comparison.name, comparison.pooled_from, say(comparison.model.in_words))
+    title = _title(comparison.name, comparison.pooled_from, message_text(comparison.model.name))
     return _drawn(figure, title, counted, share)
 
 
@@ -90,7 +87,7 @@ def validation_figure(plane: ValidationPlane) -> Figure:
         before.n,
         NEAR * after.p95_m,
     )
-    title = _title(plane.name, plane.pooled_from, plane.measured_to)
+    title = _title(plane.name, plane.pooled_from, message_text(plane.measured_to))
     return _drawn(None, title, counted, share=False)
 
 

@@ -44,7 +44,7 @@ def json_text(content: ReportContent) -> str:
 
 
 def english_values(value: Any) -> Any:
-    """Values with the English texts of messages and labels among them."""
+    """Values with the English text of each message among them."""
     if isinstance(value, Message):
         return english_text(value)
     if isinstance(value, LazyText):

@@ -7,7 +7,7 @@ from lispac.language import N_, gettext
 from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, rows
 from lispac.report.opinion_values import MethodAnswer
 from lispac.report.values import ReportContent
-from lispac.report.wording import angle, fixed, signed, title
+from lispac.report.wording import angle, fixed, sentence, signed, title
 
 METHODS: Mapping[str, str] = {
     "targets": N_("Targets"),
@@ -30,7 +30,7 @@ def second_opinions(content: ReportContent) -> list[Block]:
     if len(found) < 2:
         return []
     remarks = [
-        gettext("{name}: {remark}", name=_method(each), remark=remark)
+        gettext("{name}: {remark}", name=_method(each), remark=sentence(remark))
         for each in found
         for remark in each.remarks
     ]
@@ -38,7 +38,7 @@ def second_opinions(content: ReportContent) -> list[Block]:
         Paragraph(gettext(EXPLAINED)),
         _results(found),
         _differences(found),
-        Bullets(content.methods_in_words),
+        Bullets(tuple(map(sentence, content.methods_in_words))),
     ]
     return [*blocks, Bullets(tuple(remarks))] if remarks else blocks
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message
 from lispac.methods import Answer
 
 Three = tuple[float, float, float]
@@ -30,7 +31,7 @@ class MethodAnswer:
     over_sigma: Three | None
     probability: float | None
     differ: bool | None
-    remarks: tuple[str, ...]
+    remarks: tuple[Message, ...]
 
     @classmethod
     def of(cls, answer: Answer) -> "MethodAnswer":

@@ -15,6 +15,7 @@ from lispac.report.wording import (
     origin,
     parameter,
     quantity,
+    sentence,
     shortest,
     triple,
 )
@@ -235,7 +236,8 @@ def _component(found: VarianceComponent) -> tuple[str, str, str, str]:
     interval = gettext(
         "{lower} to {upper}", lower=fixed(found.lower, 2), upper=fixed(found.upper, 2)
     )
-    return gettext(COMPONENTS[found.name]), fixed(found.factor, 2), interval, found.in_words
+    name, factor = gettext(COMPONENTS[found.name]), fixed(found.factor, 2)
+    return name, factor, interval, sentence(found.in_words)
 
 
 def _files(content: ReportContent) -> Table:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.validation_values import Distances, Pair, ValidationPlane
 from lispac.report.values import ReportContent
@@ -64,7 +65,7 @@ def validation(content: ReportContent) -> list[Block]:
                 gettext("No plane outside the adjustment has been compared between the lines.")
             )
         ]
-    models = sorted({plane.measured_to for plane in content.validation})
+    models = sorted({message_text(plane.measured_to) for plane in content.validation})
     pooled = sorted({plane.pooled_from for plane in content.validation})
     blocks: list[Block] = [
         Paragraph(gettext(DISTANCES)),

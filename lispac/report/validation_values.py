@@ -6,6 +6,7 @@ from math import degrees, sqrt
 
 import numpy as np
 
+from lispac.messages import Message
 from lispac.validation.distance_map import DistanceMap
 from lispac.validation.plane_offset import PlaneOffset
 from lispac.validation.profile import Profile
@@ -182,7 +183,7 @@ class ValidationPlane:
 
     name: str
     pooled_from: str
-    measured_to: str
+    measured_to: Message
     before: Distances
     after: Distances
     pairs: tuple[Pair, ...]
@@ -200,7 +201,7 @@ class ValidationPlane:
         return cls(
             name=plane.name,
             pooled_from=plane.pooled_from,
-            measured_to=plane.model.in_words,
+            measured_to=plane.model.name,
             before=Distances.of(plane.before),
             after=Distances.of(plane.after),
             pairs=tuple(map(Pair.of, plane.pairs)),

@@ -1,11 +1,13 @@
 """Values of a report, not formatted.
 
 Names end with the unit of their values and are also the keys of the JSON report, so that every
-document shows the same numbers. Texts are English; `lispac.report.translated` translates them.
+document shows the same numbers. Texts are messages and labels, which
+`lispac.report.document` writes in the language of the report.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from lispac.identity import Identity
 from lispac.language import LazyText
@@ -154,7 +156,7 @@ class ExtraParameter:
     sigma: float | None
     significance: float | None
     significant: bool | None
-    reason: str
+    reason: Message | Literal[""]
 
 
 @dataclass(frozen=True)
@@ -169,7 +171,7 @@ class Seen:
     directions: tuple[tuple[float, ...], ...]
     condition: float | None
     sigma_without_line_deg: Mapping[str, tuple[float, ...] | None]
-    in_words: tuple[str, ...]
+    in_words: tuple[Message, ...]
 
 
 @dataclass(frozen=True)
@@ -216,7 +218,7 @@ class VarianceComponent:
     lower: float
     upper: float
     applied: bool
-    in_words: str
+    in_words: Message
 
 
 @dataclass(frozen=True)
@@ -233,7 +235,7 @@ class CheckedPart:
     difference_deg: tuple[float, ...] | None
     significance: tuple[float, ...] | None
     disagrees: bool
-    reason: str
+    reason: Message | Literal[""]
 
 
 @dataclass(frozen=True)
@@ -356,4 +358,4 @@ class ReportContent:
     budget: Budget | None = None
     trajectory: tuple[TrajectoryOnLine, ...] = ()
     methods: tuple[MethodAnswer, ...] = ()
-    methods_in_words: tuple[str, ...] = ()
+    methods_in_words: tuple[Message, ...] = ()

@@ -1,16 +1,20 @@
 """Numbers, units and names as the report writes them, in the language in use."""
 
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 
 from lispac.adjustment.message_parts import quantity as quantity_name
 from lispac.adjustment.shown import QUANTITIES, STATED
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.report.values import CheckedPart, CrossChecked
 
 UNKNOWN = "\u2013"
 MINUS = "\u2212"
+HYPHEN = re.compile(r"(?<![^\s(])-(?=\d)")
+"""A hyphen before a number."""
 
 TITLES: Mapping[str, str] = {
     "roll": N_("Roll"),
@@ -119,6 +123,18 @@ def in_unit(title: str, unit: str) -> str:
 def degrees_unit() -> str:
     """The unit of angles, as it stands below the title of a column or beside an axis."""
     return gettext("deg")
+
+
+def sentence(message: Message) -> str:
+    """Text of a message with true minus signs, as the tables have them."""
+    return with_minus(message_text(message))
+
+
+def with_minus(text: str, names: Iterable[str] = ()) -> str:
+    """The text of a message with true minus signs; names stay."""
+    whole = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
+    pattern = re.compile(f"{whole}|{HYPHEN.pattern}" if whole else HYPHEN.pattern)
+    return pattern.sub(lambda found: MINUS if found.group() == "-" else found.group(), text)
 
 
 def title(name: str) -> str:

@@ -18,6 +18,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.messages import Message
 from lispac.validation.normal_distance import NormalDistances
 from lispac.validation.reference_places import Measured
 from lispac.validation.results import DistanceStatistics, SignedStatistics
@@ -176,8 +177,8 @@ class AbsoluteCheck:
         How far from the reference a line was looked for.
     lines : tuple of LineCheck
     together : LineCheck
-    unseen : tuple of str
-        Lines, and surveyed points or planes, that were not compared, in words.
+    not_compared : tuple of Message
+        Lines, and surveyed points or planes, that were not compared, with the reason.
     bin_edges : tuple of k + 1 float, metres
         Of the signed distances of all lines.
     counts_before, counts_after : tuples of k int
@@ -197,7 +198,7 @@ class AbsoluteCheck:
     reach: float
     lines: tuple[LineCheck, ...]
     together: LineCheck
-    unseen: tuple[str, ...]
+    not_compared: tuple[Message, ...]
     bin_edges: tuple[float, ...]
     counts_before: tuple[int, ...]
     counts_after: tuple[int, ...]

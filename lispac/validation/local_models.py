@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.geometry.knn import local_planes
 from lispac.geometry.quadrics import heights_above, local_quadrics
-from lispac.messages import error
+from lispac.messages import Message, error, note
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -66,13 +66,15 @@ class LocalModel:
             )
 
     @property
-    def in_words(self) -> str:
-        """As it stands in tables and reports."""
+    def name(self) -> Message:
+        """Its name in tables and reports."""
         if self.kind == "point":
-            return "nearest point"
+            return note("surface.nearest_point")
+        flat = self.kind == "plane"
         if self.radius is not None:
-            return f"local {self.kind} through the points within {self.radius:g} m"
-        return f"local {self.kind} through {self.neighbours} points"
+            code = "surface.plane_within" if flat else "surface.quadric_within"
+            return note(code, radius=self.radius)
+        return note("surface.plane" if flat else "surface.quadric", count=self.neighbours)
 
     def distances(
         self, compared: Array, nearest: Indices, reference: Array, tree: "cKDTree"

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.sensitivity import sensitivity
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.knn import build_tree
-from lispac.language import gettext_lazy, in_language
-from lispac.message_texts import message_text
+from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project
@@ -69,7 +68,7 @@ def check_absolute(
     sigma: float = SIGMA,
     reach: float = REACH,
     progress: Progress = no_progress,
-) -> tuple[Project, tuple[str, ...]]:
+) -> tuple[Project, tuple[Message, ...]]:
     """Measure every line against a reference, with the prior and the estimated boresight.
 
     Parameters
@@ -90,8 +89,8 @@ def check_absolute(
     -------
     project : Project
         With the check.
-    notes : tuple of str
-        What was assumptions, in words.
+    notes : tuple of Message
+        How the reference was read, and warnings about it.
 
     Raises
     ------
@@ -114,7 +113,7 @@ def check_absolute(
     )  # fmt: skip
     clouds = _gathered(project, survey, reference, reach)
     where = _Where.of(reference, survey, project.settings.lidar_sigma, reach)
-    lines, unseen = [], []
+    lines, not_compared = [], list[Message]()
     for k, cloud in enumerate(clouds):
         progress(
             0.3 + 0.7 * k / len(clouds),
@@ -123,9 +122,9 @@ def check_absolute(
         try:
             lines.append(_compared(project, survey, cloud, where))
         except NotComparable as failure:
-            refusal = note("check.line_not_compared", line=cloud.line, reason=failure.reason)
-            with in_language("en"):
-                unseen.append(message_text(refusal))
+            not_compared.append(
+                note("check.line_not_compared", line=cloud.line, reason=failure.reason)
+            )
     if not lines:
         raise NotComparable(
             error(
@@ -143,11 +142,11 @@ def check_absolute(
         points = point_checks(lines, where.names, where.sigmas, times)
     missed = sorted(set(where.names) - {p.name for p in points})
     if reference.kind == "points" and missed:
-        unseen.append(f"No line has a flat place within {reach:g} m of {', '.join(missed)}.")
+        not_compared.append(note("check.points_not_compared", distance=reach, points=missed))
     edges, before, after = shared_bins(lines)
     check = AbsoluteCheck(
         path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
-        reference.sigma, reach, each, together, tuple(unseen), edges, before, after, points,
+        reference.sigma, reach, each, together, tuple(not_compared), edges, before, after, points,
         other_surfaces(lines),
     )  # fmt: skip
     progress(1.0)

@@ -4,6 +4,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from lispac.doubles import overlap_with
+from lispac.messages import Message
 from lispac.project import Project, Target
 from lispac.workflow.picking import next_name
 from lispac.workflow.proposing import Proposal
@@ -12,7 +13,7 @@ from lispac.workflow.proposing import Proposal
 def not_picked(project: Project, proposal: Proposal) -> Proposal:
     """The proposal without the surfaces that the project has already, under free names."""
     targets: list[Target] = []
-    reasons: dict[str, str] = {}
+    reasons: dict[str, Message] = {}
     picked: list[str] = []
     numbered = project
     for target in proposal.targets:

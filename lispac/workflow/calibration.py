@@ -18,7 +18,6 @@ from lispac.design.advice import advice
 from lispac.doubles import single_line_targets
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.language import gettext_lazy
-from lispac.message_texts import english_text
 from lispac.messages import Level, Message, error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Settings
@@ -333,7 +332,7 @@ def check(
     """A project with a result, and what was left out for haste: a further line, the cross-checks.
 
     For what was solved without advice: a click is followed at once, and this comes after it. The
-    result is the same but for the sentence on a further line.
+    result is the same but for the remark on a further line.
     """
     assert project.result is not None
     observations, _ = _chosen(project, selected, survey)
@@ -343,14 +342,14 @@ def check(
 
 
 def _advised(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with remarks on the further line that would help most."""
+    """The result with a remark on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
     if seen is None or not (found := advice(judged, result)):
         return result
-    sentences = (*seen.sentences, *map(english_text, found))
-    return replace(result, observability=replace(seen, sentences=sentences))
+    remarks = (*seen.remarks, *found)
+    return replace(result, observability=replace(seen, remarks=remarks))
 
 
 def _chosen(

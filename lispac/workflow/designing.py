@@ -38,9 +38,9 @@ def remarks_on(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message
             return (UNDETERMINED,)
         with one_thread():
             found = observability(foretold(plan), progress=progress)
+            return found.remarks
     except RankDeficient as failure:
         return (as_message(failure.reason),)
-    return tuple(map(as_message, found.sentences))
 
 
 def many_surveys(

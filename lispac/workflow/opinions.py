@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from lispac.errors import AdjustmentError
-from lispac.messages import error
+from lispac.messages import Message, as_message, error
 from lispac.methods import missing
 from lispac.opinions import Method, Opinion
 from lispac.patchtest.answer import PatchTest
@@ -43,7 +43,7 @@ def natural_planes(
 
 def of_the_scene(found: Targetless) -> Opinion:
     """What a targetless adjustment says, without its surfaces."""
-    return _opinion("targetless", found.project, found.sentences)
+    return _opinion("targetless", found.project, found.remarks)
 
 
 def of_the_patch_test(found: PatchTest) -> Opinion:
@@ -62,7 +62,7 @@ def of_the_patch_test(found: PatchTest) -> Opinion:
         found.covariance,
         found.lines,
         len(found.objects),
-        found.sentences,
+        found.remarks,
     )
 
 
@@ -88,23 +88,23 @@ def ask(
 
 def ask_missing(
     project: Project, survey: Survey, *, progress: Progress = no_progress
-) -> tuple[Project, dict[str, str]]:
+) -> tuple[Project, dict[str, Message]]:
     """The project with the answers of all methods; and why some have none, by method.
 
     Those that have been asked before are not asked again.
     """
     found, wanted = project, missing(project)
-    refused: dict[str, str] = {}
+    refused: dict[str, Message] = {}
     for k, method in enumerate(wanted):
         step = part(progress, k / len(wanted), (k + 1) / len(wanted))
         try:
             found = found.with_opinion(ask(project, survey, method, progress=step))
-        except AdjustmentError as error:
-            refused[method] = str(error)
+        except AdjustmentError as failure:
+            refused[method] = as_message(failure.reason)
     return found, refused
 
 
-def _opinion(method: Method, solved: Project, remarks: tuple[str, ...] = ()) -> Opinion:
+def _opinion(method: Method, solved: Project, remarks: tuple[Message, ...] = ()) -> Opinion:
     assert solved.result is not None
     seen = [each.sighting for each in solved.result.sightings]
     on = {each.line for each in seen}

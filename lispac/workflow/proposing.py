@@ -10,17 +10,16 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.doubts import doubts
+from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.observability import one_facing
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.adjustment.shown import listed
 from lispac.adjustment.solver import adjust
 from lispac.causes import RESULT
 from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.language import gettext_lazy
-from lispac.message_texts import english_text
-from lispac.messages import Message, error, warning
+from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress, part
 from lispac.project import PickedSighting, Project, Role, Target, Triple
 from lispac.survey.cloud import Cloud, placed_with
@@ -66,7 +65,7 @@ class Proposal:
     ----------
     targets : tuple of Target
         Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
-    reasons : dict of name to str
+    reasons : dict of name to Message
     sigma : ndarray of shape (3,), radians
         Of roll, pitch, yaw, from an adjustment of the proposed targets.
     picked : tuple of str
@@ -76,7 +75,7 @@ class Proposal:
     """
 
     targets: tuple[Target, ...]
-    reasons: dict[str, str]
+    reasons: dict[str, Message]
     sigma: Array
     picked: tuple[str, ...] = ()
     warnings: tuple[Message, ...] = ()
@@ -136,18 +135,14 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         if not any(_overlap(named[name], named[other]) for other in chosen)
     ]
     proposed: list[Target] = []
-    reasons: dict[str, str] = {}
+    reasons: dict[str, Message] = {}
     for number, name in enumerate(chosen, start=1):
         proposed.append(_target(survey, named[name], f"T{number}", "target", threshold))
         reasons[f"T{number}"] = _reason(planes, chosen, name, len(named[name].found), result)
     for number, plane in enumerate(_validation([named[name] for name in apart], survey), start=1):
         name = next(name for name in apart if named[name] is plane)
         proposed.append(_target(survey, plane, f"V{number}", "validation", threshold))
-        reasons[f"V{number}"] = (
-            f"Plane of {plane.area:.1f}\u00a0m², seen on {len(plane.found)} lines"
-            f"{', opposite ones among them' if _opposite(plane, survey) else ''}, "
-            f"{plane.centre[2]:.0f} m high.{judged[name].words}"
-        )
+        reasons[f"V{number}"] = _reason_of_plane(plane, survey, judged[name])
     progress(1.0)
     return Proposal(tuple(proposed), reasons, result.sigma, (), _warnings(result))
 
@@ -214,19 +209,32 @@ def _planes(project: Project, survey: Survey, named: Mapping[str, DetectedPlane]
 
 def _reason(
     planes: Planes, chosen: Sequence[str], name: str, lines: int, result: AdjustmentResult
-) -> str:
-    """What a target is proposed for: the angle whose sigma would grow most without it."""
+) -> Message:
+    """Why a target is proposed: the angle whose sigma would grow most without it."""
     without = planes.sigma(set(chosen) - {name})
     grown = without / planes.sigma(chosen)
     k = int(np.argmax(grown))
-    seen = f"Seen on {lines} lines"
     if len(chosen) < LEAST_TARGETS or not np.isfinite(grown[k]):
-        return f"{seen}; without it the angles are not determined."
-    now = float(np.degrees(result.sigma[k]))
-    return (
-        f"{seen}; without it the sigma of {ANGLES[k]} would be {grown[k] * now:.3f}° instead of "
-        f"{now:.3f}°."
-    )
+        return note("propose.target_needed", lines=lines)
+    now = float(result.sigma[k])
+    return note(
+        "propose.target",
+        lines=lines, angle=quantity(ANGLES[k]), without=float(grown[k]) * now, sigma=now,
+    )  # fmt: skip
+
+
+def _reason_of_plane(plane: DetectedPlane, survey: Survey, judged: "_Judged") -> Message:
+    """What a validation plane shows, and where it is seen poorly."""
+    found = note(
+        "propose.validation_plane_reciprocal"
+        if _opposite(plane, survey)
+        else "propose.validation_plane",
+        area=plane.area, lines=len(plane.found), height=float(plane.centre[2]),
+    )  # fmt: skip
+    if not judged.poor:
+        return found
+    reason = judged.reason
+    return note("propose.validation_plane_poor", plane=found, lines=judged.poor, reason=reason)
 
 
 def _warnings(result: AdjustmentResult) -> tuple[Message, ...]:
@@ -271,10 +279,17 @@ def _target(
 
 @dataclass(frozen=True)
 class _Judged:
-    """What a plane is good for: anything, validation at need, or nothing; and why, in words."""
+    """Use of a plane: any, validation at need, or none.
+
+    Attributes
+    ----------
+    poor : lines that show it poorly
+    reason : why the first of them does
+    """
 
     use: Literal["any", "at need", "not flat", "poor"]
-    words: str
+    poor: tuple[str, ...]
+    reason: Message | str
     flat: bool = True
 
 
@@ -287,16 +302,16 @@ def _judged(project: Project, survey: Survey) -> dict[str, _Judged]:
 
 
 def _judged_by(lines: Mapping[str, SightingQuality]) -> _Judged:
-    poor = [line for line, quality in lines.items() if quality.light == "poor"]
+    poor = tuple(line for line, quality in lines.items() if quality.light == "poor")
     rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
     doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
-    words = f" Poor on {listed(poor)}: {english_text(lines[poor[0]].reasons[0])}" if poor else ""
+    reason = lines[poor[0]].reasons[0] if poor else ""
     flat = len(doubtful) < MOSTLY * len(lines)
     if len(rough) >= MOSTLY * len(lines):
-        return _Judged("not flat", words, flat)
+        return _Judged("not flat", poor, reason, flat)
     if len(poor) < MOSTLY * len(lines):
-        return _Judged("any" if flat else "at need", words, flat)
-    return _Judged("at need" if len(poor) == MOSTLY * len(lines) else "poor", words)
+        return _Judged("any" if flat else "at need", poor, reason, flat)
+    return _Judged("at need" if len(poor) == MOSTLY * len(lines) else "poor", poor, reason)
 
 
 def _too_few(project: Project, few: int, judged: Sequence[_Judged]) -> Message:

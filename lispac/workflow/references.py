@@ -13,16 +13,16 @@ from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_a
 from lispac.io.seed_file import MOST, ListedPoint, read_point_list
 from lispac.io.static_scan import StaticScan, few_rows, static_scan
 from lispac.language import gettext_lazy
-from lispac.message_texts import message_text
-from lispac.messages import error
+from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.store.cells import MOST_HALVINGS, in_sample
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.validation.absolute import Kind
-from lispac.workflow.coordinates import away, axes_of, local_places, require_near
+from lispac.workflow.coordinates import away, local_places, require_near
 from lispac.workflow.export_request import system_of
+from lispac.workflow.seed_lists import columns_note
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_systems import LOCAL, own_datum
 
@@ -91,8 +91,8 @@ class Reference:
         In words.
     sigma : float, metres
         Of a scan, which all its points share; the usual one of points.
-    notes : tuple of str
-        What was assumptions, in words.
+    notes : tuple of Message or str
+        How it was read, and warnings about it.
     surface : ndarray of shape (n, 3), metres, local frame
         Points of a scan where the lines have been; none otherwise.
     names : tuple of str
@@ -108,7 +108,7 @@ class Reference:
     kind: Kind
     system: str
     sigma: float
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
     surface: Array
     names: tuple[str, ...]
     places: Array
@@ -158,10 +158,12 @@ def read_reference(
         chosen = crs or found.system or LOCAL
         system = system_of(project, survey.trajectory, chosen, height, trajectory_datum, epoch)
     words = "the local frame" if system is None else system.name
-    notes = (
-        f"coordinates in {words}",
-        *(() if system is None else map(message_text, system.assumptions)),
-        *(message_text(each) for each in found.messages if not (crs and each.actions)),
+    notes: tuple[Message, ...] = (
+        note("assumed.local_frame")
+        if system is None
+        else note("assumed.list_system", system=words),
+        *(() if system is None else system.assumptions),
+        *(each for each in found.messages if not (crs and each.actions)),
     )
     with path.open("rb") as file:
         digest = hashlib.file_digest(file, "sha256").hexdigest()
@@ -175,10 +177,10 @@ def read_reference(
             *file_facts, "points", words, usual, (*notes, columns, *said), np.zeros((0, 3)), names,
             places, sigmas, planes,
         )  # fmt: skip
-    surface, said = _read_surface(found, system, survey, project, reach, progress)
+    surface, used = _read_surface(found, system, survey, project, reach, progress)
     nothing = np.zeros((0, 3))
     return Reference(
-        *file_facts, "scan", words, sigma, (*notes, *said), surface, (), nothing, np.zeros(0), ()
+        *file_facts, "scan", words, sigma, (*notes, used), surface, (), nothing, np.zeros(0), ()
     )
 
 
@@ -188,7 +190,7 @@ def _is_list(path: Path, found: StaticScan) -> bool:
 
 def _read_points(
     path: Path, system: CoordinateSystem | None, trajectory: LocalTrajectory
-) -> tuple[list[tuple[ListedPoint, Array]], str]:
+) -> tuple[list[tuple[ListedPoint, Array]], Message]:
     geographic = system is not None and system.is_geographic
     metres = (1.0, 1.0, 1.0) if system is None else system.metres
     found = read_point_list(
@@ -200,14 +202,12 @@ def _read_points(
         where = f"{path}, row {point.row}: {name}"
         place = require_near(np.array(point.coordinates), system, trajectory, where)
         placed.append((point, place))
-    axes = dict(zip("xyz", axes_of(system), strict=True))
-    meant = ", ".join(axes.get(name, "not used" if name == "-" else name) for name in found.columns)
-    return placed, f"columns {'as named' if found.stated else 'by their order'}: {meant}"
+    return placed, columns_note(found, system)
 
 
 def _sorted_out(
     points: Sequence[tuple[ListedPoint, Array]], sigma: float, path: Path
-) -> tuple[tuple[str, ...], Array, Array, tuple[PlaneReference, ...], list[str]]:
+) -> tuple[tuple[str, ...], Array, Array, tuple[PlaneReference, ...], list[Message]]:
     """Points that stand alone, and the planes that others span."""
     alone = [(p.name or f"P{k}", x, sigma if p.sigma is None else p.sigma)
              for k, (p, x) in enumerate(points, start=1) if not p.plane]  # fmt: skip
@@ -220,7 +220,7 @@ def _sorted_out(
     for name, some in together.items():
         plane, off = _plane(name, np.array([x for x, _ in some]), [s for _, s in some], path)
         planes.append(plane)
-        if off:
+        if off is not None:
             said.append(off)
     return (
         tuple(name for name, _, _ in alone),
@@ -231,24 +231,24 @@ def _sorted_out(
     )
 
 
-def _doubtful_sigmas(points: Sequence[ListedPoint]) -> list[str]:
-    """One remark on sigmas that look as if they were not in metres; or none."""
-    large = [p for p in points if p.sigma is not None and p.sigma > LARGEST_SIGMA]
+def _doubtful_sigmas(points: Sequence[ListedPoint]) -> list[Message]:
+    """The warning about standard deviations that are probably not in metres; or none."""
+    large = [
+        (point.name or f"P{k}", point.sigma)
+        for k, point in enumerate(points, start=1)
+        if point.sigma is not None and point.sigma > LARGEST_SIGMA
+    ]
     if not large:
         return []
-    first, more = large[0], len(large) - 1
-    others = f", and {more} more {'is' if more == 1 else 'are'} above it" if more else ""
-    return [
-        f"the sigma of {first.name or f'row {first.row}'} is {first.sigma:g} m, and a surveyed "
-        f"point rarely has more than {LARGEST_SIGMA:g} m{others}; the file's sigmas are read in "
-        "metres, 3 mm is 0.003: correct the list if they are in millimetres"
-    ]
+    name, sigma = large[0]
+    limit = LARGEST_SIGMA
+    return [warning("reference.large_sigma", count=len(large), name=name, sigma=sigma, limit=limit)]
 
 
 def _plane(
     name: str, points: Array, sigmas: Sequence[float], path: Path
-) -> tuple[PlaneReference, str]:
-    """A plane, and what is to be said of points that do not lie on it.
+) -> tuple[PlaneReference, Message | None]:
+    """A plane, and the warning about a point that does not lie on it.
 
     Raises
     ------
@@ -272,20 +272,18 @@ def _plane(
     covariance = np.linalg.inv(design.T @ (design / own[:, None] ** 2))
     off = plane.distances(points)
     worst = int(np.argmax(np.abs(off) / own))
-    words = ""
-    if abs(off[worst]) > 3 * own[worst]:
-        words = (
-            f"plane {name}: a point lies {1000 * abs(off[worst]):.1f} mm off the plane through all "
-            f"of them, with a sigma of {1000 * own[worst]:.1f} mm"
-        )
-    return PlaneReference(name, points, plane, float(np.sqrt(covariance[0, 0]))), words
+    found = PlaneReference(name, points, plane, float(np.sqrt(covariance[0, 0])))
+    if abs(off[worst]) <= 3 * own[worst]:
+        return found, None
+    distance, own_sigma = abs(off[worst]), own[worst]
+    return found, warning("reference.plane_off", plane=name, distance=distance, sigma=own_sigma)
 
 
 def _read_surface(
     found: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
     reach: float, progress: Progress,
-) -> tuple[Array, list[str]]:  # fmt: skip
-    """The part of a scan where the lines have been, and what is said of it.
+) -> tuple[Array, Message]:  # fmt: skip
+    """The part of a scan where the lines have been, and its number of points.
 
     Raises
     ------
@@ -318,10 +316,11 @@ def _read_surface(
         )
     if not kept:
         raise InputError(error("check.reference_elsewhere", file=str(found.path), distance=reach))
-    said = [f"{found.path.name}: {done:,} points, of which {kept:,} lie where the lines have been"]
-    if halvings:
-        said[0] += f" and are one in {2**halvings} of those there"
-    return np.concatenate(parts), said
+    used = note(
+        "reference.points_used_sample" if halvings else "reference.points_used",
+        file=found.path.name, used=kept, total=done, one_in=2**halvings,
+    )  # fmt: skip
+    return np.concatenate(parts), used
 
 
 def _require_site(

@@ -56,7 +56,7 @@ def calibrations_of(folders: Sequence[Path]) -> Compared:
         if project.result is not None
     ]
     counted: list[int] = []
-    remarks = []
+    remarks: list[Message] = []
     for k, project in enumerate(projects):
         first = next((j for j in counted if same_lines(projects[j], project)), None)
         if first is None:

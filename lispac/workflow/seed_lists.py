@@ -230,11 +230,16 @@ def _holder(name: str, role: Role) -> Target:
     return Target(name, role, (0.0, 0.0, 0.0), 1.0, 1.0, ())
 
 
-def _notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message, ...]:
+def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
+    """How the columns of a list of points are read."""
     axes = dict(zip("xyz", axes_of(system), strict=True))
     columns = tuple(note(_COLUMNS[axes.get(name, name)]) for name in points.columns)
     code = "assumed.columns_as_named" if points.stated else "assumed.columns_by_order"
-    order = note(code, columns=columns)
+    return note(code, columns=columns)
+
+
+def _notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message, ...]:
+    order = columns_note(points, system)
     if system is None:
         return order, note("assumed.local_frame")
     return order, note("assumed.list_system", system=system.name), *system.assumptions
@@ -243,6 +248,8 @@ def _notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message,
 _COLUMNS = {
     "name": "list_column.name",
     "role": "list_column.role",
+    "plane": "list_column.plane",
+    "sigma": "list_column.sigma",
     "-": "list_column.unused",
     "north": "axis.north",
     "west": "axis.west",

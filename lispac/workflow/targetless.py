@@ -17,12 +17,11 @@ from lispac.adjustment.line_shifts import Scores
 from lispac.adjustment.observability import observability
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.scatter import with_scatter
-from lispac.adjustment.shown import listed
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
-from lispac.messages import error
+from lispac.messages import Message, error, note
 from lispac.natural.choice import COUNT, Choice, chosen
 from lispac.natural.patches import Patches, patches_of
 from lispac.progress import Progress, no_progress, part
@@ -82,22 +81,16 @@ class Targetless:
         return self.project.result
 
     @property
-    def sentences(self) -> tuple[str, ...]:
-        """What the answer rests on, in words."""
-        said = (
-            f"The answer rests on {len(self.project.targets) - self.targets} of {self.candidates} "
-            f"natural surfaces that lines share; rounds of matching: {self.rounds}."
-        )
-        found = [said]
+    def remarks(self) -> tuple[Message, ...]:
+        """What the result is based on, and what limits it."""
+        used = len(self.project.targets) - self.targets
+        found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
         if self.targets:
-            found.append(f"Targets adjusted with them: {self.targets}.")
+            found.append(note("targetless.with_targets", targets=self.targets))
         if not self.settled:
-            found.append(
-                f"The angles still moved by more than {100 * SETTLED:.0f} % of their sigmas in the "
-                "last round of matching."
-            )
+            found.append(note("targetless.not_converged", share=SETTLED))
         if self.disagreeing:
-            found.append(f"Lines that do not agree with the others: {listed(self.disagreeing)}.")
+            found.append(note("targetless.lines_disagree", lines=self.disagreeing))
         return tuple(found)
 
 

@@ -27,6 +27,7 @@ from tests.gui.support import (
     settle,
     type_into,
 )
+from tests.message_codes import codes
 
 
 @pytest.fixture
@@ -337,7 +338,7 @@ def test_a_single_board_is_refused_until_that_is_accepted(
     estimate(driver)
     assert driver.project.settings.accept_one_facing
     seen = driver.project.result.observability
-    assert any("T1 is the only target" in said for said in seen.sentences)
+    assert "adjustment.one_target" in codes(seen.remarks)
     assert not refusal.isVisible()
     press(driver, Key.Key_Z, Control)
     driver.rest()

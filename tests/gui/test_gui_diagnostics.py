@@ -12,6 +12,8 @@ from lispac.design.advice import advice
 from lispac.gui import theme
 from lispac.gui.panels.diagnostics_pages import PAGES
 from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
+from lispac.message_texts import message_text
+from lispac.messages import note
 from lispac.project import Project
 from tests.gui.support import (
     WAIT_MS,
@@ -99,8 +101,8 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
     assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
     words = turn_to(shown, "Observability").words.text()
-    for sentence in result.observability.sentences:
-        assert sentence in words
+    for remark in result.observability.remarks:
+        assert message_text(remark) in words
     assert f"Condition number {result.observability.condition:.1f}" in words
 
 
@@ -173,7 +175,7 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     line = bad.sighting.line
     away = np.radians([0.1, 0.0, 0.0])
     odd = CrossCheck("line", line, result.boresight + away, result.sigma, away, away / 1e-4)
-    none = CrossCheck("target", "T1", reason="T2 alone does not do.")
+    none = CrossCheck("target", "T1", reason=note("cross_check.no_common_target"))
     marked = estimated.with_result(doubtful).with_cross_checks(replace(checks, parts=(odd, none)))
     shown.window.document.edit("estimate", marked)
     table = turn_to(shown, "Sightings").table
@@ -183,7 +185,7 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     assert texts(turn_to(shown, "Targets").table, "Remark")[0] == f"rejected on {line}"
     table = turn_to(shown, "Cross-checks").table
     assert texts(table, "Verdict") == ["disagrees", "no result"]
-    assert texts(table, "Reason")[1] == "T2 alone does not do."
+    assert texts(table, "Reason")[1] == "No target is left on two lines."
     assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
     told = shown.window.results.warnings.text()
     assert f"T1 on line {line} (off by " in told
@@ -225,7 +227,9 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
 
     def said():
         result = shown.project.result
-        return result is not None and "further line" in result.observability.sentences[-1]
+        return result is not None and "further line" in message_text(
+            result.observability.remarks[-1]
+        )
 
     monkeypatch.setattr("lispac.workflow.calibration.advice", advised)
     monkeypatch.setattr(shown.window.estimating, "_wants_checks", checked)

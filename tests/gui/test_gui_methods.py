@@ -8,6 +8,7 @@ from PySide6.QtCore import QTimer
 
 from lispac.errors import AdjustmentError
 from lispac.gui.dialogs.methods import MethodsDialog
+from lispac.messages import note
 from lispac.opinions import Opinion
 from lispac.workflow import opinions
 from lispac.workflow.opinions import natural_planes
@@ -22,7 +23,14 @@ def said_by_the_scene(project, _survey, *, progress) -> Opinion:
     result = project.result
     turned = result.boresight + np.radians([0.5, 0.0, 0.0])
     lines = tuple(line.name for line in project.lines)
-    return Opinion("targetless", turned, np.array(result.covariance), lines, 30, ("Thirty.",))
+    return Opinion(
+        "targetless",
+        turned,
+        np.array(result.covariance),
+        lines,
+        30,
+        (note("targetless.with_targets", targets=30),),
+    )
 
 
 def test_the_missing_ones_are_asked_and_kept_as_one_step(
@@ -60,8 +68,9 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         assert float(dialog.table.item(1, 5).text()) > 3
         words = dialog.said.text()
         assert "Natural planes: " in words, "too few of them"
-        assert "Targetless and targets differ by more than their sigmas explain, in roll" in words
-        assert "Targetless: Thirty." in words
+        differs = "Significant difference between the targetless method and the targets in roll"
+        assert differs in words
+        assert "Targetless: Targets adjusted with them: 30." in words
         assert not dialog.ask.isEnabled()
 
     answered(adjusted, second)

@@ -76,7 +76,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert answer is not None
     assert answer.sigma is not None
     assert "found" in shown.angles.found[PITCH].text()
-    assert shown.said.text().startswith("The answer rests on")
+    assert shown.said.text().startswith("The result is based on")
     truth = np.radians(opened.project.truth_deg)
     assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
 

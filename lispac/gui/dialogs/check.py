@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.dialogs.study import StudyDialog
 from lispac.gui.dialogs.system_choice import HEIGHTS, system_box, system_text
-from lispac.gui.language import say, say_all
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.report.absolute_values import Absolute, AgainstReference, LineAgainstReference
 from lispac.survey.trajectory import LocalTrajectory
@@ -200,14 +200,15 @@ class CheckedDialog(StudyDialog):
         )  # fmt: skip
         self.show_rows(
             [
-                *(_row(each, Cell(each.line, named=True)) for each in found.lines),
+                *(_row(each, Cell(each.line)) for each in found.lines),
                 _row(found.together, Cell(gettext("all lines"))),
             ]
         )
         not_compared = [
-            gettext("Not compared: {reason}", reason=say(reason)) for reason in found.not_compared
+            gettext("Not compared: {reason}", reason=message_text(reason))
+            for reason in found.not_compared
         ]
-        self.said.setText("\n".join([*say_all(found.in_words), *not_compared]))
+        self.said.setText("\n".join([*map(message_text, found.in_words), *not_compared]))
         absolute_figure(found, self.figure())
         self.resize(1000, 760)
 

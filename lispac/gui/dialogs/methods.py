@@ -6,11 +6,12 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.dialogs.study import StudyDialog, angle_columns
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
 from lispac.language import N_, gettext
-from lispac.methods import Answer, sentences
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.methods import Answer, remarks_on
 from lispac.opinions import Method
 
 METHODS = {
@@ -48,7 +49,7 @@ class MethodsDialog(StudyDialog):
         self,
         found: Sequence[Answer],
         absent: Sequence[Method],
-        refused: Mapping[str, str],
+        refused: Mapping[str, Message],
         parent: QWidget | None = None,
     ) -> None:
         table = DiagnosticsTable("methods_table", gettext("Results of all methods"), _columns())
@@ -65,9 +66,11 @@ class MethodsDialog(StudyDialog):
         self.show_rows([*(_row(each) for each in found), *(_row_not_run(each) for each in absent)])
         remarks = [
             *refused.items(),
-            *((each.method, text) for each in found for text in each.remarks),
+            *((each.method, remark) for each in found for remark in each.remarks),
         ]
-        texts = [*map(say, sentences(tuple(found))), *(_named(*remark) for remark in remarks)]
+        texts = [
+            *map(message_text, remarks_on(tuple(found))), *(_named(*each) for each in remarks)
+        ]  # fmt: skip
         self.said.setText("\n".join(texts))
         self.said.setVisible(bool(texts))
         self.ask = widgets.button(
@@ -103,9 +106,9 @@ def _name(method: str) -> str:
     return gettext(METHODS[method])
 
 
-def _named(method: str, text: str) -> str:
+def _named(method: str, remark: Message) -> str:
     """A remark on the result of a method, or the reason why there is none."""
-    return gettext("{method}: {text}", method=_name(method), text=say(text))
+    return gettext("{method}: {text}", method=_name(method), text=message_text(remark))
 
 
 def _row(each: Answer) -> Row:
@@ -119,7 +122,7 @@ def _row(each: Answer) -> Row:
     ):
         cells += [number(angle, "+.4f"), number(sigma, ".4f")]
         cells.append(BLANK if difference is None else number(difference, "+.1f"))
-    tip = "\n".join(each.remarks)
+    tip = "\n".join(map(message_text, each.remarks))
     return Row(cells, marked=against is not None and against.differ, tip=tip)
 
 

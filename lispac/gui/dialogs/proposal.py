@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.workflow.proposing import Proposal
 
 ROLES = {"target": N_("Target"), "validation": N_("Validation plane")}
@@ -36,7 +36,7 @@ class ProposalDialog(QDialog):
         layout = widgets.column(self, 16)
         layout.addWidget(widgets.label(_introduction(proposal), wrap=True, name="proposal_sigmas"))
         warnings = widgets.label("", "warning", wrap=True, name="proposal_warnings")
-        warnings.setText("\n".join(map(say_message, proposal.warnings)))
+        warnings.setText("\n".join(map(message_text, proposal.warnings)))
         warnings.setVisible(bool(proposal.warnings))
         layout.addWidget(warnings)
         self.table = QTableWidget(len(proposal.targets), 4)
@@ -96,7 +96,7 @@ class ProposalDialog(QDialog):
             lines = [sighting.line for sighting in target.sightings]
             seen = QTableWidgetItem(str(len(lines)))
             seen.setToolTip(widgets.plain_tip(gettext("Observed on {lines:names}", lines=lines)))
-            text = say(proposal.reasons[target.name])
+            text = message_text(proposal.reasons[target.name])
             reason = QTableWidgetItem(text)
             reason.setToolTip(widgets.plain_tip(text))
             for column, item in enumerate((name, role, seen, reason)):

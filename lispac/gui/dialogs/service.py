@@ -32,6 +32,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
 from lispac.language import N_, gettext
+from lispac.messages import Message
 from lispac.methods import Answer
 from lispac.opinions import Method
 from lispac.project import LineSource, Project, Target, Triple
@@ -151,7 +152,7 @@ class Dialogs(Questions):
         dialog.exec()
         dialog.deleteLater()
 
-    def history(self, histories: Sequence[History], remarks: Sequence[str]) -> None:
+    def history(self, histories: Sequence[History], remarks: Sequence[Message]) -> None:
         """Show the calibrations of each system."""
         dialog = HistoryDialog(histories, remarks, self.parent)
         dialog.exec()
@@ -170,7 +171,7 @@ class Dialogs(Questions):
         dialog.deleteLater()
 
     def methods(
-        self, found: Sequence[Answer], absent: Sequence[Method], refused: Mapping[str, str]
+        self, found: Sequence[Answer], absent: Sequence[Method], refused: Mapping[str, Message]
     ) -> bool:
         """Show the results of all methods; return whether to run the missing ones."""
         dialog = MethodsDialog(found, absent, refused, self.parent)

@@ -15,18 +15,15 @@ from lispac.adjustment.result import (
     SightingReliability,
     SightingResidual,
 )
-from lispac.adjustment.shown import (
-    SPREAD_LINES,
-    SPREAD_TARGETS,
-    named_parts,
-    standing,
-)
+from lispac.adjustment.shown import standing
 from lispac.gui import units
-from lispac.gui.language import say
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.report.diagnostics import cross_checked
+from lispac.report.wording import named_parts
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
 FOLLOW = N_("Double-click or press Enter to go to its points in the view")
@@ -200,7 +197,7 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         number(residual.rms_before, ".1f", MM),
         number(residual.rms_after, ".1f", MM),
     ]
-    names = [Cell(sighting.target, named=True), Cell(sighting.line, named=True)]
+    names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
         cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("no test"))]
         return Row(cells, key, tip=gettext(FOLLOW))
@@ -263,7 +260,7 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
             remark = gettext("rejected on {lines:names}", lines=rejected)
         test_values = [abs(r.w) for r in tests if not r.released]
         cells = [
-            Cell(target.target, named=True),
+            Cell(target.target),
             Cell(gettext("sphere") if target.sphere else gettext("plane")),
             number(lines, ",.0f"),
             number(target.points, ",.0f"),
@@ -281,15 +278,17 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
 def check_rows(checks: CrossChecks) -> list[Row]:
     """One row for each part of the data."""
     rows = []
-    for name, check in named_parts(checks):
+    for name, check in named_parts(cross_checked(checks)):
         title = Cell(name)
-        if check.difference is None or check.significance is None:
-            cells = [title, *[number(None, "")] * 6, Cell(gettext("no result")), Cell(check.reason)]
-            rows.append(Row(cells, tip=check.reason))
+        if check.difference_deg is None or check.significance is None:
+            reason = message_text(check.reason) if check.reason else ""
+            verdict = Cell(gettext("no result"))
+            cells = [title, *[number(None, "")] * 6, verdict, Cell(reason)]
+            rows.append(Row(cells, tip=reason))
             continue
         cells = [title]
-        for off, sigmas in zip(check.difference, check.significance, strict=True):
-            cells += [number(float(np.degrees(off)), "+.4f"), number(float(sigmas), "+.1f")]
+        for off, sigmas in zip(check.difference_deg, check.significance, strict=True):
+            cells += [number(off, "+.4f"), number(sigmas, "+.1f")]
         tip = gettext("An angle differs significantly") if check.disagrees else ""
         verdict = gettext("disagrees") if check.disagrees else gettext("agrees")
         cells += [Cell(verdict), Cell(tip)]
@@ -318,10 +317,14 @@ def spread_words(checks: CrossChecks) -> str:
         )
         + "</tr>"
         + row(gettext("Formal σ"), checks.sigma)
-        + row(say(SPREAD_LINES.replace(", ", ",<br>")), checks.spread_lines)
-        + row(say(SPREAD_TARGETS.replace(", ", ",<br>")), checks.spread_targets)
+        + row(_two_lines(gettext("Spread, one line left out")), checks.spread_lines)
+        + row(_two_lines(gettext("Spread, one target left out")), checks.spread_targets)
         + "</table>"
     )
+
+
+def _two_lines(text: str) -> str:
+    return text.replace(", ", ",<br>")
 
 
 def parameter_rows(result: AdjustmentResult) -> list[Row]:
@@ -348,9 +351,10 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
         def cell(value: float | None, kind=kind, signed: bool = True) -> Cell:
             if value is None:
                 return Cell("–")
-            return Cell(kind.amount(value, signed=signed), value, named=True)
+            return Cell(kind.amount(value, signed=signed), value)
 
-        remark = estimate.reason or _significance_text(estimate)
+        reason = estimate.reason
+        remark = _significance_text(estimate) if reason is None else message_text(reason)
         cells = [
             Cell(gettext(kind.title)),
             cell(estimate.value),
@@ -367,7 +371,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
 
 
 def _angle(value: float, form: str) -> Cell:
-    return Cell(units.local_amount(float(np.degrees(value)), "°", form), value, named=True)
+    return Cell(units.local_amount(float(np.degrees(value)), "°", form), value)
 
 
 def _significance_text(estimate: Estimate) -> str:

@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import distances, pairs_table, widgets
 from lispac.gui.turns import Turn
 from lispac.language import N_, gettext, number
+from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.validation.profile import Profile
 from lispac.validation.results import DistanceStatistics, PlaneComparison
@@ -162,7 +162,8 @@ class HistogramsPanel(QWidget):
         self.table.setRowCount(len(comparisons))
         font = theme.tabular(self.table.font())
         for row, each in enumerate(comparisons):
-            tip = gettext(POOLED[each.pooled_from], plane=each.name, model=say(each.model.in_words))
+            model = message_text(each.model.name)
+            tip = gettext(POOLED[each.pooled_from], plane=each.name, model=model)
             for column, text in enumerate(_texts(each)):
                 item = QTableWidgetItem(text)
                 item.setFont(font)
@@ -207,9 +208,7 @@ class HistogramsPanel(QWidget):
         if self.plot.currentIndex() == AGAINST:
             profile_figure(comparison, canvas.figure)
         else:
-            histogram_figure(
-                comparison, canvas.figure, share=self.plot.currentIndex() == SHARES, say=say
-            )
+            histogram_figure(comparison, canvas.figure, share=self.plot.currentIndex() == SHARES)
         self._show_units(canvas.figure)
         self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
         self.reading.setText(gettext(ZOOM))

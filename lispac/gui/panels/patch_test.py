@@ -1,6 +1,6 @@
 """The LiDAR patch test: objects, pairs of lines, angles and results."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QResizeEvent
@@ -16,11 +16,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.language import say
+from lispac.gui import units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.patch_angles import PatchAngles
 from lispac.gui.panels.patch_pictures import CurvePicture, LinesPicture
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.patchtest.pairs import Kind, LinePair
 
 TITLE = N_("Patch test")
@@ -259,14 +261,15 @@ class PatchTestPanel(QWidget):
                     Qt.ItemDataRole.AccessibleTextRole, f"{pair.name}, {kind}"
                 )
 
-    def mark_objects(self, remarks: dict[str, str]) -> None:
-        """Mark objects with remarks (in English, by their names), which their tips show."""
+    def mark_objects(self, remarks: Mapping[str, Message]) -> None:
+        """Mark objects with remarks by their names; their tips show them."""
         with QSignalBlocker(self.objects):
             for row in range(self.objects.count()):
                 item = self.objects.item(row)
-                remark = remarks.get(_name(item), "")
+                remark = remarks.get(_name(item))
                 item.setText(f"{_name(item)} ⚠" if remark else _name(item))
-                item.setToolTip(widgets.plain_tip(say(remark)))
+                tip = "" if remark is None else units.signs(message_text(remark), "°")
+                item.setToolTip(widgets.plain_tip(tip))
 
     def say_empty(self, reason: str) -> None:
         """Show why there are no objects: `EMPTY` or `NO_DATA`."""

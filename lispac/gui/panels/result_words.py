@@ -1,17 +1,18 @@
 """Texts about a result besides its angles: other parameters and the goodness of fit."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 
 from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import component_shown, significance_words
+from lispac.adjustment.shown import component_finding
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import quantities
 from lispac.gui.panels.adjust_parameters import KINDS, Kind
 from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.report.settings_section import COMPONENTS
 
 LEAST_SURFACE = 5e-5
 """Metres: a smaller surface sigma is shown as 0.0 mm."""
@@ -81,6 +82,14 @@ SMALL_RESIDUALS = (
 )
 
 
+SIGNIFICANCE: Mapping[bool | None, str] = {
+    True: N_("significant"),
+    False: N_("not significant"),
+    None: N_("not tested: with uncorrelated POS errors the standard deviations are too small"),
+}
+"""Whether the change of a value is significant; None where it is not tested."""
+
+
 def verdict(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> str:
@@ -120,13 +129,13 @@ def parameter_rows(result: AdjustmentResult) -> str:
     rows = []
     for estimate in result.parameters:
         kind = KINDS[estimate.name]
-        title = escape(say(kind.title))
+        title = escape(gettext(kind.title))
         if estimate.value is None or estimate.sigma is None:
-            reason = escape(say(estimate.reason))
+            reason = "" if estimate.reason is None else escape(message_text(estimate.reason))
             rows.append(f"<tr><td colspan='2'>{title}: {reason}</td></tr>")
             continue
         prior = gettext("prior {value}", value=_parameter(kind, estimate.prior))
-        significance = escape(say(significance_words(estimate)))
+        significance = escape(gettext(SIGNIFICANCE[estimate.significant]))
         rows.append(
             f"<tr><td>{title}</td><td align='right' style='padding-left:14px'>"
             f"<b>{_parameter(kind, estimate.value)}</b> ± "
@@ -138,9 +147,16 @@ def parameter_rows(result: AdjustmentResult) -> str:
 
 
 def _parameter(kind: Kind, value: float, *, signed: bool = True) -> str:
-    return units.signs(say(kind.text(value, signed=signed)), *kind.bases)
+    return kind.amount(value, signed=signed)
 
 
-def component_sentences(result: AdjustmentResult) -> tuple[str, ...]:
-    """The variance components, in English."""
-    return tuple(component_shown(each).sentence for each in result.components)
+def component_texts(result: AdjustmentResult) -> tuple[str, ...]:
+    """The variance components: factor, interval and finding of each."""
+    return tuple(
+        gettext(
+            "{errors}: factor {factor:x.2} (95 %: {lower:x.2} to {upper:x.2}), {finding}",
+            errors=gettext(COMPONENTS[each.name]), factor=each.factor, lower=each.lower,
+            upper=each.upper, finding=message_text(component_finding(each)),
+        )
+        for each in result.components
+    )  # fmt: skip

@@ -23,10 +23,10 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.doubles import project_doubts
 from lispac.gui import theme, units
-from lispac.gui.language import say, say_message
 from lispac.gui.panels import quantities, result_words, widgets
 from lispac.gui.panels.mounting_words import boresight_said
 from lispac.language import N_, gettext, number
+from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project, Triple
 
@@ -93,7 +93,7 @@ class ResultsPanel(QWidget):
             return
         self._stack.setCurrentIndex(0 if result is None else 1)
         self.refusal.setVisible(bool(refusal))
-        self.refusal.setText(say(refusal))
+        self.refusal.setText(refusal)
         if waiting:
             self._empty.setText(gettext(WAITING))
         else:
@@ -173,7 +173,7 @@ class ResultsPanel(QWidget):
         if older:
             also.insert(0, refused_since(older))
         warnings = doubts(result, project.cross_checks, also)
-        self.warnings.setText("<br><br>".join(escape(say_message(each)) for each in warnings))
+        self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
         rows = result_words.parameter_rows(result)
         self.parameters.setText(rows)
@@ -181,7 +181,9 @@ class ResultsPanel(QWidget):
             each.setVisible(bool(rows))
         observability = result.observability
         self.weakest.setText(
-            gettext("Not computed.") if observability is None else say(observability.sentences[0])
+            gettext("Not computed.")
+            if observability is None
+            else message_text(observability.remarks[0])
         )
 
     def _fit_form(self) -> QFormLayout:
@@ -222,7 +224,7 @@ class ResultsPanel(QWidget):
         for key, text in texts.items():
             self._values[key].setText(text)
         verdict = result_words.verdict(result, project.cross_checks, project_doubts(project))
-        components = "; ".join(map(say, result_words.component_sentences(result)))
+        components = "; ".join(result_words.component_texts(result))
         if components:
             found = gettext(
                 "Standard deviations from the data: {components}.", components=components

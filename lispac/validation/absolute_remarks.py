@@ -1,0 +1,106 @@
+"""Remarks on a comparison with a reference: the mean, the lines that are off, and the RMS."""
+
+from collections.abc import Iterator, Sequence
+
+from lispac.messages import Message, note
+from lispac.validation.absolute import AbsoluteCheck, AbsoluteState
+
+Off = tuple[str, float, float]
+"""A name, a mean, and half its 95 % interval, metres."""
+
+
+def remarks_on(check: AbsoluteCheck) -> tuple[Message, ...]:
+    """The means of all lines, what is off by more than its errors, the RMS, and what counted."""
+    return (
+        _mean(check.together.after, "after"),
+        _mean(check.together.before, "before"),
+        _lines(check),
+        *_points(check),
+        _rms(check),
+        *_others(check),
+        note("absolute.scan_error" if check.kind == "scan" else "absolute.point_errors"),
+        *((note("absolute.lines_alike"),) if len(check.lines) > 1 else ()),
+    )
+
+
+def items(off: Sequence[Off]) -> list[Message]:
+    """Names with their means, as the items of a list."""
+    return [
+        note("item.mean_distance", name=name, mean=mean, interval=half) for name, mean, half in off
+    ]
+
+
+MEANS = {
+    ("after", True): "absolute.after_nearer",
+    ("after", False): "absolute.after_farther",
+    ("before", True): "absolute.before_nearer",
+    ("before", False): "absolute.before_farther",
+}
+"""Code by state, and whether the lines are nearer to the vessel than the reference."""
+FINDINGS = {
+    ("after", True): "absolute.not_explained",
+    ("after", False): "absolute.explained",
+    ("before", True): "absolute.not_explained_before",
+    ("before", False): "absolute.explained_before",
+}
+"""Code by state, and whether the mean is larger than its errors explain."""
+
+
+def _mean(found: AbsoluteState, state: str) -> Message:
+    mean = found.signed.mean
+    return note(
+        MEANS[state, mean > 0],
+        mean=abs(mean), interval=found.interval_95,
+        finding=note(FINDINGS[state, found.significant]),
+    )  # fmt: skip
+
+
+def _lines(check: AbsoluteCheck) -> Message:
+    off = [
+        (line.line, line.after.signed.mean, line.after.interval_95)
+        for line in check.lines
+        if line.after.significant
+    ]
+    if not off:
+        return note("absolute.no_line_off")
+    return note(
+        "report.absolute_line_off", count=len(off), total=len(check.lines), lines=items(off)
+    )
+
+
+def _points(check: AbsoluteCheck) -> Iterator[Message]:
+    off = [
+        (point.name, point.after, point.interval_95)
+        for point in check.points
+        if point.interval_95 is not None and abs(point.after) > point.interval_95
+    ]
+    if off:
+        total = len(check.points)
+        yield note("report.absolute_point_off", count=len(off), total=total, points=items(off))
+
+
+def _rms(check: AbsoluteCheck) -> Message:
+    before, after = check.together.before, check.together.after
+    return note(
+        "absolute.rms",
+        before=before.distances.rms, after=after.distances.rms,
+        reference=after.rms_expected.reference, share=after.reference_share,
+        expected=after.rms_expected.total,
+    )  # fmt: skip
+
+
+def _others(check: AbsoluteCheck) -> Iterator[Message]:
+    """Surfaces that may have been taken for the one that the reference shows."""
+    if check.others is None:
+        yield note("absolute.former_version")
+    elif check.others:
+        places = {line.line: line.after.signed.n for line in check.lines}
+        lines = [
+            note(
+                "item.other_surface",
+                line=other.line, places=other.places, total=places[other.line],
+                distance=other.distance,
+            )
+            for other in check.others
+        ]  # fmt: skip
+        yield note("absolute.other_surface", distance=check.reach, lines=lines)
