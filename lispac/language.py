@@ -40,8 +40,6 @@ _SCALES: Mapping[str, float] = {
 _SIGNIFICANT = 3
 _SMALLEST, _LARGEST = 1e-9, 1e15
 """Absolute values of numbers that are written without an exponent."""
-MAX_REMEMBERED = 20_000
-_translated: dict[str, None] = {}
 
 _default = "en"
 _chosen: ContextVar[str | None] = ContextVar("language", default=None)
@@ -146,34 +144,12 @@ def gettext(template: Template, /, **params: Any) -> str:
 
 def text_of(template: Template, params: Mapping[str, Any]) -> str:
     """As `gettext`, with the parameters in a mapping."""
-    text = raw_text(template, params)
-    text = _FORMATTER.vformat(text, (), params) if params else text
-    if current_language() != "en":
-        mark_translated(text)
-    return text
-
-
-def raw_text(template: Template, params: Mapping[str, Any]) -> str:
-    """The translation of a text with its placeholders; ``count`` chooses the plural."""
     catalogue = _catalogue(current_language())
     if isinstance(template, Plural):
-        return catalogue.ngettext(template.singular, template.plural, int(params["count"]))
-    return catalogue.gettext(template) if template else ""
-
-
-def is_translated(text: str) -> bool:
-    """Whether a text has been made by `gettext` in another language than English.
-
-    The reverse translation leaves such a text as it is.
-    """
-    return text in _translated
-
-
-def mark_translated(text: str) -> None:
-    """Let `is_translated` know a text, or a part of one, that `gettext` has made."""
-    if len(_translated) >= MAX_REMEMBERED:
-        _translated.clear()  # at once, since threads share it
-    _translated[text] = None
+        text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
+    else:
+        text = catalogue.gettext(template) if template else ""
+    return _FORMATTER.vformat(text, (), params) if params else text
 
 
 def number(value: float, decimals: int | None = None, *, sign: bool = False) -> str:

@@ -30,7 +30,7 @@ from lispac.gui.dialogs.about import keys_said
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.language import language as spoken
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import ConventionPanel
 from lispac.gui.panels.data import DataPanel
@@ -88,7 +88,7 @@ SHARED = tuple(
 
 def tables(language: str) -> dict[str, str]:
     """Text of each table, by the name of its file."""
-    speak(language)
+    set_language(language)
     try:
         made = {f"{name}.md": _fields(make(), language) for name, make in PANELS.items()}
         with tempfile.TemporaryDirectory() as scratch:
@@ -109,7 +109,7 @@ def tables(language: str) -> dict[str, str]:
         made["points-shared.md"] = _options(list(SHARED), language)
         made["messages.md"] = _messages(language)
     finally:
-        speak("en")
+        set_language("en")
     return made
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
 from lispac.gui.dialogs.service import Dialogs
-from lispac.gui.language import say_moment
+from lispac.gui.language import local_datetime
 from lispac.gui.settings import AppSettings
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
@@ -89,7 +89,7 @@ class Findings:
             ).exec(),
             "add-or-new": lambda: dialogs.add_or_new(project.name),
             "candidate-waits": lambda: dialogs.candidate_waits("T3"),
-            "recover": lambda: dialogs.recover(project.name, say_moment(WRITTEN)),
+            "recover": lambda: dialogs.recover(project.name, local_datetime(WRITTEN)),
             "open-elsewhere": lambda: dialogs.open_elsewhere(project.name, "bridge, process 4711"),
             "overwrite": lambda: dialogs.overwrite(project.name),
         }

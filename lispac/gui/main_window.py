@@ -17,7 +17,6 @@ from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
 from lispac.gui.estimating import Estimating
-from lispac.gui.language import language, leave_alone
 from lispac.gui.life import ProjectLife
 from lispac.gui.logbook import LOG
 from lispac.gui.logbook import NAME as LOG_NAME
@@ -60,7 +59,7 @@ from lispac.gui.tools import Tools
 from lispac.gui.tour import Tour
 from lispac.gui.viewing_actions import STEP_ACTIONS, THEMED
 from lispac.gui.viewport.base import PickedPoint, Viewport
-from lispac.language import gettext
+from lispac.language import current_language, gettext
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
@@ -99,9 +98,6 @@ class MainWindow(QMainWindow):
         self.viewport = viewport
         self.document = document or Document()
         self.document.setParent(self)
-        # Before anyone shows what changed
-        for changed in (self.document.survey_changed, self.document.changed):
-            changed.connect(lambda: leave_alone(self.document.project))
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
@@ -112,7 +108,7 @@ class MainWindow(QMainWindow):
             self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
-        self.actions_["french" if language() == "fr" else "english"].setChecked(True)
+        self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
         self.actions_[THEMED[self.settings.theme]].setChecked(True)
         self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
         self.tools = Tools(self)

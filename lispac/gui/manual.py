@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QUrl
 from PySide6.QtGui import QDesktopServices
 
-from lispac.gui.language import language
-from lispac.language import gettext
+from lispac.language import current_language, gettext
 from lispac.progress import Progress
 
 if TYPE_CHECKING:
@@ -30,7 +29,7 @@ class Manual(QObject):
 
     def open(self, page: str = "index", place: str = "") -> None:
         """Show a page, or a place on it, in the language of the window."""
-        code = language()
+        code = current_language()
 
         def work(progress: Progress) -> Path:
             from lispac.workflow.manual import manual_page

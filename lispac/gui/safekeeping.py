@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
-from lispac.gui.language import say_moment
+from lispac.gui.language import local_datetime
 from lispac.io.project_file import forget_unsaved, keep_unsaved
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -183,7 +183,7 @@ class Safekeeping(QObject):
 
 def _when(found: Unsaved) -> str:
     """Time of the recovery copy, and of a later save of the project."""
-    kept, saved = say_moment(found.kept), say_moment(found.saved)
+    kept, saved = local_datetime(found.kept), local_datetime(found.saved)
     if found.saved <= found.kept:
         return kept
     return gettext("{time}; the project was saved later, at {saved}", time=kept, saved=saved)

@@ -15,7 +15,7 @@ from lispac.gui.carrying import carry_over
 from lispac.gui.colouring import use_scale
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.docks import show_all
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
 from lispac.gui.tidying import collect_all
@@ -56,7 +56,7 @@ class Session(QObject):
 
     def _made(self, former: MainWindow | None) -> MainWindow:
         in_front = QApplication.activeWindow()
-        speak(self._settings.language)
+        set_language(self._settings.language)
         units.show_in(*self._settings.units)
         use_scale(self._settings.colour_scale)
         theme.apply_theme(self._application, self._settings.theme)

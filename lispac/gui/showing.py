@@ -6,7 +6,6 @@ from PySide6.QtCore import QObject
 
 from lispac.gui import status
 from lispac.gui.computing import PointCount
-from lispac.gui.language import leave_alone
 from lispac.gui.status import ADJUST, DATA, REPORT, TARGETS, VALIDATE
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -41,7 +40,6 @@ class Showing(QObject):
             return
         window = self._window
         project, survey, statuses = self._state()
-        leave_alone(project)
         waiting = window.document.awaits_result
         busy = window.runner.busy
         window.stage.show_view(project is not None)

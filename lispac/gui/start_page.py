@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.language import say_moment
+from lispac.gui.language import local_datetime
 from lispac.gui.panels import widgets
 from lispac.gui.tabbing import in_turn
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
@@ -142,7 +142,7 @@ def _link(icon: str, title: str, description: str) -> QCommandLinkButton:
 def _state(folder: Path) -> str:
     """Date of the last save of a project, and its folder."""
     try:
-        saved = say_moment((folder / FILE_NAME).stat().st_mtime)
+        saved = local_datetime((folder / FILE_NAME).stat().st_mtime)
     except OSError:
         return gettext("Not found: {folder}", folder=folder)
     if (folder / UNSAVED_NAME).is_file():

@@ -91,6 +91,9 @@ TEXTS: Mapping[str, Template] = {
     "report_template.not_text": N_("{file}: {key} must be text in quotation marks."),
     "report_template.refused": N_("{file}: the report template cannot be used. {reason}"),
     "report_template.no_page": N_("There is no page size {page}. Choose one of {pages:choices}."),
+    "report_template.no_language": N_(
+        "There is no report in the language {language}. Choose one of {languages:choices}."
+    ),
     "report_template.logo_elsewhere": N_(
         "The logo {logo} is not in the folder of the template. Copy the picture into it."
     ),

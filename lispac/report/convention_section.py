@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from lispac.adjustment.shown import capitalised
-from lispac.language import N_, gettext, raw_text
+from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.report.blocks import Block, Column, Paragraph, Table, facts, rows
 from lispac.report.convention_values import InConvention, ScannerToBody
@@ -87,7 +87,7 @@ def _angles(found: InConvention) -> Table:
 
 def _program(name: str) -> str:
     """Name of a program: some of them have words to translate."""
-    return name if raw_text(name, {}) == name else gettext(name)
+    return gettext(name)
 
 
 def _rotation(found: InConvention) -> str:

@@ -6,6 +6,7 @@ Angles have four decimals in degrees, distances one in millimetres.
 from collections.abc import Sequence
 
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
 from lispac.report.trajectory_values import TrajectoryOnLine
@@ -32,7 +33,6 @@ from lispac.report.wording import (
     signed,
     title,
 )
-from lispac.reverse_translation.messages import translated_text
 
 COMMON_SURFACE = N_(
     "RMS and mean are distances from the surface that all lines have in common. After the "
@@ -145,9 +145,7 @@ def residuals(content: ReportContent) -> list[Block]:
     if content.planes:
         blocks.append(_planes_table(content))
     reasons = tuple(
-        translated_text(
-            note("project.not_found_on_line", target=plane.name, line=line, reason=reason)
-        )
+        message_text(note("project.not_found_on_line", target=plane.name, line=line, reason=reason))
         for plane in content.planes
         for line, reason in plane.missing.items()
     )

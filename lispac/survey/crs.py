@@ -29,6 +29,7 @@ from lispac.geometry.frames import (
     ecef_to_geodetic,
     geodetic_to_ecef,
 )
+from lispac.language import gettext
 from lispac.messages import Message, error, note
 from lispac.survey.blocks import in_blocks
 from lispac.survey.crs_operation import best_operation
@@ -84,15 +85,10 @@ class CoordinateSystem:
     warnings: tuple[Message, ...] = ()
 
     @property
-    def notes(self) -> tuple[str | Message, ...]:
-        """Warnings, then assumptions."""
-        return (*self.warnings, *self.assumptions)
-
-    @property
     def name(self) -> str:
         """Name and, where there is one, EPSG code."""
         if self.frame is not None:
-            return "local frame (north, west, up)"
+            return gettext("local frame (north, west, up)")
         code = self.crs.to_epsg()
         return f"{self.crs.name} (EPSG:{code})" if code else str(self.crs.name)
 

@@ -11,7 +11,7 @@ import numpy as np
 from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
-from lispac.language import gettext_lazy
+from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
@@ -51,7 +51,7 @@ class System:
             f"{self.pos} {self.pos_serial}",
         ]
         said = ", ".join(part.strip() for part in parts if part.strip())
-        return said or "a system that is not named"
+        return said or gettext("unnamed system")
 
     def same(self, other: "System") -> bool:
         """Whether the two have the same names, whatever capitals and blanks they are written in."""

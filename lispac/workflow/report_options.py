@@ -7,9 +7,9 @@ from typing import Any
 from lispac.errors import InputError
 from lispac.foreign_values import InvalidContentError, toml_values
 from lispac.io.files import require_file
+from lispac.language import LANGUAGES
 from lispac.messages import error
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
-from lispac.reverse_translation.catalogue import catalogue_of
 from lispac.survey.conventions.systems import system
 
 KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
@@ -75,7 +75,12 @@ def _page(text: Any) -> Page:
 
 
 def _language(text: str) -> str:
-    return catalogue_of(text.strip().lower()).code
+    code = text.strip().lower()
+    if code not in LANGUAGES:
+        raise InputError(
+            error("report_template.no_language", language=str(text), languages=tuple(LANGUAGES))
+        )
+    return code
 
 
 def _logo(folder: Path, name: str) -> Path:

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.service import Dialogs
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
@@ -183,7 +183,7 @@ class Hands(Driver):
             self.session.deleteLater()
             self.answers.deleteLater()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-            speak("en")
+            set_language("en")
         assert not self.answers.trouble, "; ".join(self.answers.trouble)
 
 

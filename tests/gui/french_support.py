@@ -22,11 +22,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.language import pieces
-from lispac.reverse_translation.catalogue import catalogue_of
+from tests.french_catalogue import FRENCH
 
-FRENCH = catalogue_of("fr")
-SAID = {*FRENCH.exact.values()}
+SAID = {*FRENCH.values()}
+_PIECE = re.compile(r"(\n|<br>|</?(?:p|h\d|ul|ol|li|table|tr|td|th)\b[^>]*>)")
 _TAG = re.compile(r"<[^>]*>|&nbsp;|\S*/\S+")
 """Tags and paths."""
 _ENGLISH = re.compile(r"\b(the|of|and|is|are|was|to|with|from|by|not|that|it|its)\b")
@@ -38,10 +37,15 @@ def english(top: QWidget) -> set[str]:
     found = set()
     for text in texts(top):
         for piece in pieces(text):
-            known = piece in FRENCH.exact and piece not in SAID
+            known = piece in FRENCH and piece not in SAID
             if known or _ENGLISH.search(_TAG.sub(" ", piece)):
                 found.add(text)
     return found
+
+
+def pieces(text: str) -> list[str]:
+    """Lines, paragraphs and cells of a text."""
+    return [bare for piece in _PIECE.split(text)[::2] if (bare := piece.strip(" "))]
 
 
 def texts(top: QWidget) -> Iterator[str]:

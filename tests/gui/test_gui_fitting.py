@@ -25,7 +25,7 @@ from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.error import error_box
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.panels import widgets
 from lispac.gui.panels.clipping import ClippingPanel
 from lispac.gui.panels.log import LogPanel
@@ -49,9 +49,9 @@ LOW = QSize(1326, 728)
 def spoken(qapp: QApplication, request: pytest.FixtureRequest) -> Iterator[str]:
     """Each language, in the looks of the program."""
     theme.apply_theme(qapp)
-    speak(request.param)
+    set_language(request.param)
     yield request.param
-    speak("en")
+    set_language("en")
 
 
 @pytest.fixture
@@ -224,14 +224,14 @@ def test_a_clip_box_that_is_none_has_no_length(qtbot: QtBot) -> None:
 
 
 def test_a_note_begins_as_large_as_in_english(qtbot: QtBot, qapp: QApplication) -> None:
-    speak("fr")
+    set_language("fr")
     try:
         log = LogPanel()
         qtbot.addWidget(log)
         log.note("Coordinates are metres in the scanner frame.")
         assert log.toPlainText()[10:].startswith("Les coordonnées")
     finally:
-        speak("en")
+        set_language("en")
 
 
 def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> None:

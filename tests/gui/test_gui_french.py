@@ -23,7 +23,7 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
-from lispac.gui.language import say, speak, unsaid
+from lispac.gui.language import say, set_language, unsaid
 from lispac.gui.settings import AppSettings
 from lispac.gui.studies import SITES
 from lispac.gui.viewport.recording import RecordingViewport
@@ -44,13 +44,13 @@ from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, type_
 def french(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
     """An empty window in French."""
     theme.apply_theme(qapp)
-    speak("fr")
+    set_language("fr")
     try:
         made = Driver(qtbot, RecordingViewport(), tmp_path)
         yield made
         made.leave()
     finally:
-        speak("en")
+        set_language("en")
 
 
 def all_french(*shown: QWidget) -> None:
@@ -203,7 +203,7 @@ def test_files_are_written_alike_in_both_languages(
 ) -> None:
     written = []
     for code in ("fr", "en"):
-        speak(code)
+        set_language(code)
         folder = tmp_path / code
         folder.mkdir()
         write_project(replace(estimated, folder=folder))
@@ -213,7 +213,7 @@ def test_files_are_written_alike_in_both_languages(
 
 def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QApplication) -> None:
     found = [visibility(site) for site in SITES.values()]
-    speak("fr")
+    set_language("fr")
     try:
         dialog = VisibilityDialog(found)
         qtbot.addWidget(dialog)
@@ -224,7 +224,7 @@ def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QAppli
             dialog.numbers()
         assert unsaid() == ()
     finally:
-        speak("en")
+        set_language("en")
 
 
 @pytest.mark.parametrize(
@@ -233,9 +233,9 @@ def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QAppli
      ("another program", "un autre programme")],
 )  # fmt: skip
 def test_another_program_or_window_is_named_in_french(where: str, said: str) -> None:
-    speak("fr")
+    set_language("fr")
     try:
         found = gettext("Open in: {place}.", place=say(where))
     finally:
-        speak("en")
+        set_language("en")
     assert found == f"Ouvert dans\N{NO-BREAK SPACE}: {said}."

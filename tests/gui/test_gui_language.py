@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.design import edits
-from lispac.gui.language import language, leave_plan_alone, say, speak
+from lispac.gui.language import language, leave_plan_alone, say, set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.widgets import TallArea
@@ -38,7 +38,7 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
     made.window.deleteLater()
     made.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    speak("en")
+    set_language("en")
 
 
 def test_the_tour_goes_on_in_another_language(
@@ -290,7 +290,7 @@ def test_nothing_is_cut_off_in_a_small_french_window(
 
 
 def test_sentences_with_lines_of_a_plan_are_said(qapp: QApplication) -> None:
-    speak("fr")
+    set_language("fr")
     try:
         leave_plan_alone(edits.usual().plan)
         assert say(
@@ -300,4 +300,4 @@ def test_sentences_with_lines_of_a_plan_are_said(qapp: QApplication) -> None:
             "Le tangage est vu surtout par les lignes L3 et L2\N{NO-BREAK SPACE}: sans L3, "
         )
     finally:
-        speak("en")
+        set_language("en")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtWidgets import QMenu, QMenuBar
 
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.language import LANGUAGES
 from tests.gui.design_support import opened_by_keys
 from tests.gui.support import Demo, Driver
@@ -15,9 +15,9 @@ from tests.gui.support import Demo, Driver
 @pytest.fixture(params=LANGUAGES)
 def code(request: pytest.FixtureRequest) -> Iterator[str]:
     """A language, spoken while the window is made."""
-    speak(request.param)
+    set_language(request.param)
     yield request.param
-    speak("en")
+    set_language("en")
 
 
 def mnemonic(text: str) -> str:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import units
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import NumberField
 from tests.gui.support import in_front
@@ -112,7 +112,7 @@ def test_letters_and_too_many_decimals_cannot_be_typed(form, qtbot) -> None:
 
 
 def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
-    speak("fr")
+    set_language("fr")
     units.show_in("degrees", "feet")
     try:
         own = Form()
@@ -128,5 +128,5 @@ def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
         own.sigma.setFocus()
         assert own.up.value() == pytest.approx(320.5 * 0.3048)
     finally:
-        speak("en")
+        set_language("en")
         units.show_in("degrees", "metres")

@@ -6,7 +6,7 @@ from html import unescape
 from pathlib import Path
 
 from lispac.adjustment.older import refused_since
-from lispac.gui.language import say_message, speak
+from lispac.gui.language import say_message, set_language
 from lispac.gui.reporting import Reporting
 from tests.gui.support import Driver
 
@@ -29,10 +29,10 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     assert [(each["severity"], each["code"]) for each in told] == [
         ("serious", "adjustment.refused_since")
     ]
-    speak("fr")
+    set_language("fr")
     french = say_message(refused_since(refusal))
     assert french.startswith("Une estimation ultérieure a été refusée")
-    speak("en")
+    set_language("en")
 
     adjusted.window.controller.rename("T1", "North wall")  # the result stays, and so does this
     assert words in unescape(adjusted.window.results.warnings.text())

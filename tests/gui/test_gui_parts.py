@@ -18,7 +18,7 @@ from lispac.adjustment.result import CandidateCause
 from lispac.errors import Cancelled, InputError
 from lispac.gui import status
 from lispac.gui.dialogs.error import describe, error_box
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.settings import AppSettings
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.tasks import Task, TaskRunner
@@ -325,10 +325,10 @@ def test_time_left_is_french_after_a_name_that_stays(qtbot: QtBot) -> None:
     task = Task("Adjusting", lambda progress: None, lambda value: None)
     task.started = time.monotonic() - 10
     task.report(0.5, gettext_lazy("Reading {line}", line="Sud"))
-    speak("fr")
+    set_language("fr")
     try:
         bar.show_task(task)
     finally:
-        speak("en")
+        set_language("en")
     shown = "Lecture de Sud  ·  5 %/s, encore 10 s"
     assert bar.text.text().replace("\u202f", " ").replace("\u00a0", " ") == shown

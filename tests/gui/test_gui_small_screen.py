@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QStyleOptionComboBox as ComboOption
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.language import LANGUAGES
@@ -23,7 +23,7 @@ def small(
     qtbot: QtBot, qapp: QApplication, tmp_path: Path, demo: Demo, request: pytest.FixtureRequest
 ) -> Iterator[Driver]:
     """The demo survey in a small window, in each language."""
-    speak(request.param)
+    set_language(request.param)
     theme.apply_theme(qapp)
     made = Driver(qtbot, RecordingViewport(), tmp_path)
     try:
@@ -33,7 +33,7 @@ def small(
         yield made
     finally:
         made.leave()
-        speak("en")
+        set_language("en")
 
 
 def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:

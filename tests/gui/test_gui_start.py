@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.main_window import TITLE_BAR, MainWindow
 from lispac.gui.start_page import StartPage
 from lispac.gui.tour import ALIKE, STEPS
@@ -46,11 +46,11 @@ def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_c
     window.settings.add_recent(demo_copy)
     os.utime(demo_copy / FILE_NAME, (DAY, DAY))
     for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
-        speak(code)
+        set_language(code)
         try:
             window.stage.start.show_recent(window.settings.recent())
         finally:
-            speak("en")
+            set_language("en")
         (known, *_) = [
             link for link in links(window, "start_recent") if link.toolTip() == str(demo_copy)
         ][-1:]
@@ -69,11 +69,11 @@ def test_every_way_to_begin_is_in_sight_on_a_low_screen(
     driver: Driver, code: str, height: int
 ) -> None:
     driver.window.resize(1366, height - TITLE_BAR)
-    speak(code)
+    set_language(code)
     try:
         page = StartPage()
     finally:
-        speak("en")
+        set_language("en")
     driver.bot.addWidget(page)
     page.resize(driver.window.stage.start.size())
     page.show()

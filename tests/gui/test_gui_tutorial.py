@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import actions
-from lispac.gui.language import say, speak
+from lispac.gui.language import say, set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
@@ -44,7 +44,7 @@ def program(
     session.window.deleteLater()
     session.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    speak("en")
+    set_language("en")
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
     assert [step.kind for step in french] == [step.kind for step in english]
     texts = [text for text, *_ in actions._ACTIONS.values()] + list(actions._MENUS)
     numbered = [f"{k + 1} {name}" for k, name in enumerate(STEPS)]
-    speak("fr")
+    set_language("fr")
     try:
         names = {_bare(text): _bare(gettext(text)) for text in texts}
         names |= {"English": "Français"}  # of the report
@@ -97,7 +97,7 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
                 continue
             assert other.text == said, f"line {other.line} of the French page"
     finally:
-        speak("en")
+        set_language("en")
 
 
 def _bare(text: str) -> str:

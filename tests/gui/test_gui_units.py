@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui import units
 from lispac.gui.colouring import shading
-from lispac.gui.language import speak
+from lispac.gui.language import set_language
 from lispac.gui.measuring import Measuring, distance_text
 from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
@@ -68,7 +68,7 @@ def program(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Sessio
     made.window.deleteLater()
     made.deleteLater()
     units.show_in("degrees", "metres")
-    speak("en")
+    set_language("en")
 
 
 def field(suffix: str, decimals: int) -> NumberField:
@@ -90,7 +90,7 @@ def test_what_is_only_shown_stays_to_the_last_digit(
     qapp: QApplication, code: str, lengths: str, angles: str, value: float, suffix: str
 ) -> None:
     value = round(value, 9)
-    speak(code)
+    set_language(code)
     units.show_in(angles, lengths)
     try:
         shown = field(suffix, 4)
@@ -106,7 +106,7 @@ def test_what_is_only_shown_stays_to_the_last_digit(
         assert typed.text() == shown.text()
     finally:
         units.show_in("degrees", "metres")
-        speak("en")
+        set_language("en")
 
 
 @pytest.mark.parametrize(
@@ -150,7 +150,7 @@ def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
     ],
 )
 def test_figures_are_written_as_in_the_language(code: str, texts: tuple[str, ...]) -> None:
-    speak(code)
+    set_language(code)
     try:
         assert texts == (
             units.local_amount(-1234.5, "mm", ".1f"),
@@ -159,7 +159,7 @@ def test_figures_are_written_as_in_the_language(code: str, texts: tuple[str, ...
             units.local_sign("m°"),
         )
     finally:
-        speak("en")
+        set_language("en")
 
 
 def test_an_empty_field_and_one_that_is_only_shown(qapp: QApplication, imperial: None) -> None:

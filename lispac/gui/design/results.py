@@ -14,7 +14,6 @@ from lispac.gui.design import told
 from lispac.gui.design.following import Following, Said
 from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import leave_plan_alone
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, current_language, gettext, number
@@ -112,7 +111,6 @@ class ResultsPanel(QScrollArea):
     def _show(self) -> None:
         """Show what needs no computation."""
         titled = self._work.titled
-        leave_plan_alone(titled.plan)
         self.minutes.setText(told.minutes(titled))
         found = cautions(titled)
         self.cautions.setText("\n".join(map(message_text, found)))

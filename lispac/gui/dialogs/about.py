@@ -7,9 +7,8 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBo
 
 import lispac
 from lispac.gui import theme
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
-from lispac.gui.panels.results import CONVENTION
+from lispac.gui.panels.results import convention_html
 from lispac.gui.viewing_actions import KEYS
 from lispac.language import gettext
 
@@ -28,7 +27,7 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     licence = gettext("Licence: BSD 3-clause.")
     versions = f"Qt {qVersion()}, Python {platform.python_version()}. {licence}"
     box.setInformativeText(
-        f"<p>{purpose}</p><p>{say(CONVENTION)}</p><p>{frame}</p>"
+        f"<p>{purpose}</p><p>{convention_html()}</p><p>{frame}</p>"
         f"<p style='color:{theme.MUTED}'>{versions}</p>"
     )
     box.setStandardButtons(QMessageBox.StandardButton.Close)

@@ -21,7 +21,6 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
-from lispac.gui.language import say_sentences
 from lispac.gui.panels import widgets
 from lispac.installed import expanded
 from lispac.language import N_, gettext
@@ -270,4 +269,4 @@ class ExportDialog(QDialog):
 
 
 def _sentence(text: str | Message) -> str:
-    return message_text(text) if isinstance(text, Message) else say_sentences([text])[0]
+    return message_text(text) if isinstance(text, Message) else f"{text}."

@@ -5,7 +5,6 @@ from datetime import datetime
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QPlainTextEdit
 
-from lispac.gui.language import say_with_capital
 from lispac.language import N_, gettext
 
 MOST_LINES = 2000
@@ -31,4 +30,4 @@ class LogPanel(QPlainTextEdit):
 
     def note(self, text: str) -> None:
         """Add a line."""
-        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {say_with_capital(text)}")
+        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {text}")

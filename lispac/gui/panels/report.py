@@ -7,10 +7,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.errors import InputError
-from lispac.gui.language import language
 from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
-from lispac.language import LANGUAGES, N_, gettext
+from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import LISPAC, SYSTEMS, Status
 from lispac.workflow.report_options import report_options
@@ -186,7 +185,7 @@ class ReportPanel(QWidget):
             options,
             page=list(PAGES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
-            language=language() if self._language_key == OF_WINDOW else self._language_key,
+            language=current_language() if self._language_key == OF_WINDOW else self._language_key,
         )
 
     @property

@@ -37,8 +37,6 @@ _SIGNS = N_(
     "Roll is positive left side up, pitch positive bow down, yaw positive clockwise seen from "
     "above."
 )
-CONVENTION = f"{_FRAMES}<br><b>{_FORMULA.format(**_ROTATIONS)}</b><br>{_SIGNS}"
-"""Definition of the three angles, in English, as HTML."""
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 EMPTY = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
@@ -149,8 +147,7 @@ class ResultsPanel(QWidget):
         layout.addWidget(self.correlation)
         layout.addWidget(widgets.label(gettext("Convention"), "heading"))
         convention = widgets.label("", "muted", wrap=True, name="convention", rich=True)
-        formula = gettext(_FORMULA, **_ROTATIONS)
-        convention.setText(f"{gettext(_FRAMES)}<br><b>{formula}</b><br>{gettext(_SIGNS)}")
+        convention.setText(convention_html())
         layout.addWidget(convention)
         around.addStretch(1)
         return widgets.TallArea(outer, 380)
@@ -231,6 +228,12 @@ class ResultsPanel(QWidget):
             )
             verdict = f"{verdict} {found}"
         self._verdict.setText(verdict)
+
+
+def convention_html() -> str:
+    """Definition of the three angles."""
+    formula = gettext(_FORMULA, **_ROTATIONS)
+    return f"{gettext(_FRAMES)}<br><b>{formula}</b><br>{gettext(_SIGNS)}"
 
 
 def _matrix_cell(value: float) -> str:

@@ -18,9 +18,9 @@ from PySide6.QtWidgets import (
 
 from lispac.causes import RESULT
 from lispac.gui import theme
-from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
 from lispac.messages import Level, Message
 
 TITLE = N_("Warnings")
@@ -128,7 +128,7 @@ class WarningsPanel(QWidget):
         while not self.is_filled and time.monotonic() < until:
             message = self.messages[self.list.count()]
             if message not in texts:
-                texts[message] = say_message(message)
+                texts[message] = message_text(message)
             self.list.addItem(_item(message, texts[message]))
             if message == self._kept:
                 self.list.setCurrentRow(self.list.count() - 1)
