@@ -29,7 +29,6 @@ from lispac.gui import actions
 from lispac.gui.dialogs.about import keys_said
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.settings import SettingsDialog
-from lispac.gui.language import language as spoken
 from lispac.gui.language import set_language
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import ConventionPanel
@@ -44,9 +43,10 @@ from lispac.gui.viewing_actions import KEYS, Menu
 from lispac.installed import resource
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
-from lispac.language import LANGUAGES, Template, gettext, in_language, raw_text
+from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
 from lispac.message_texts import TOPICS, message_text
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
+from tests.french_catalogue import FRENCH
 from tests.manual_samples import assumed, samples
 from tests.message_calls import calls
 
@@ -210,7 +210,7 @@ def _entries(names: Menu, under: str) -> Iterator[tuple[str, ...]]:
             text, tip = actions.texts(name)
             first = keys[0] if isinstance(keys, tuple) else keys
             shown = STANDARD.get(first, first)
-            shown = shown.replace("Shift", "Maj") if spoken() == "fr" else shown
+            shown = shown.replace("Shift", "Maj") if current_language() == "fr" else shown
             yield f"{under}{_bare(text)}", shown, tip
 
 
@@ -290,13 +290,8 @@ def _messages(language: str) -> str:
 
 def _shown(template: Template) -> tuple[str, ...]:
     """The text in every language; of a plural that for several things."""
-    found = []
-    for language in LANGUAGES:
-        with in_language(language):
-            params = {} if isinstance(template, str) else {"count": 2}
-            text = raw_text(template, params)
-        found.append(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", text))
-    return tuple(found)
+    english = template.plural if isinstance(template, Plural) else template
+    return tuple(re.sub(r"\{(\w+)[^}]*\}", r"[\1]", each) for each in (english, FRENCH[english]))
 
 
 def folder(language: str) -> Path:

@@ -2,8 +2,7 @@
 
 ``python -m tests.screens FOLDER [PROJECT]`` shows PROJECT, or else the built-in survey, calibrated;
 in both looks, both languages and two sizes. ``QT_SCALE_FACTOR=2`` makes them for a fine screen. It
-needs a screen of at least the largest size, if only a virtual one. PROJECT is not changed. What
-stayed English in another language is listed in ``unsaid.txt``, names of the survey and all.
+needs a screen of at least the largest size, if only a virtual one. PROJECT is not changed.
 """
 
 import argparse
@@ -20,7 +19,6 @@ from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QWidget
 
 from lispac.errors import InputError
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.language import unsaid
 from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.diagnostics import TITLE as DIAGNOSTICS
 from lispac.gui.panels.section import TITLE as SECTION
@@ -67,7 +65,6 @@ class Photographer:
         self._watch = QTimer(interval=100)
         self._watch.timeout.connect(self._look)
         self._seen: QWidget | None = None
-        self._unsaid: dict[str, None] = {}
         self._asked = ""
 
     @property
@@ -91,7 +88,6 @@ class Photographer:
         top = widget.frameGeometry()
         picture = widget.screen().grabWindow(0, top.x(), top.y(), top.width(), top.height())
         picture.save(str(self._folder / f"{self._prefix}-{name}.png"))
-        self._unsaid.update(dict.fromkeys(unsaid()))
 
     def everything(self, looks: Sequence[str], languages: Sequence[str]) -> None:
         """All pictures."""
@@ -257,7 +253,6 @@ class Photographer:
 
     def leave(self) -> None:
         """Close the windows, and list what stayed English."""
-        (self._folder / "unsaid.txt").write_text("\n".join(self._unsaid), encoding="utf-8")
         assert self.window.designing.leave()
         self.window.retire()
 

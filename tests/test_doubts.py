@@ -16,7 +16,6 @@ from lispac.adjustment.scatter import raised
 from lispac.adjustment.shown import plain
 from lispac.adjustment.stochastic import StochasticModel
 from lispac.cli.estimate import numbers, print_result
-from lispac.gui.language import say_message
 from lispac.gui.panels import result_words
 from lispac.io.project_file import read_project, write_project
 from lispac.language import in_language
@@ -263,7 +262,6 @@ def test_a_doubt_is_told_alike_everywhere(
         "params": plain_params(found),
     }  # fmt: skip
     assert told in numbers(result, checks)["doubts"]
-    assert say_message(found) == message_text(found)
     assert "can be used" not in result_words.verdict(result, checks)
     assert [each for each in sample_content(changed).cautions if each.code == found.code] == [found]
 

@@ -16,7 +16,7 @@ from lispac.doubles import data_warnings
 from lispac.errors import InputError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.values import decoded, encoded
-from lispac.language import LANGUAGES, Plural, Template, in_english, in_language, text_of
+from lispac.language import LANGUAGES, Plural, Template, in_language, text_of
 from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
 from lispac.message_texts.former_codes import CODES, former_code
 from lispac.messages import (
@@ -31,9 +31,6 @@ from lispac.messages import (
     shortened,
     warning,
 )
-from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.messages import translated_text
-from lispac.reverse_translation.translation import Translator
 from tests.message_calls import calls
 from tests.report_sample import sample_project
 
@@ -234,15 +231,6 @@ def test_parameters_are_plain_in_json() -> None:
     }
 
 
-def test_sentences_within_messages_are_translated() -> None:
-    """Those that code without typed messages makes."""
-    inner = note("report.not_compared", reason="So.")
-    found = warning("data.same_on_lines", reason=inner, lines=("So.",))
-    assert translated_text(found, {"So.": "Voilà."}.__getitem__) == (
-        "Not compared: Voilà. The same applies to So.."
-    )
-
-
 def test_former_codes_are_those_of_messages_that_exist() -> None:
     names = {code.partition(".")[2] for code in TEXTS}
     assert set(CODES) <= names
@@ -259,12 +247,3 @@ def test_numbers_of_numpy_become_those_of_python() -> None:
     assert made.params == {"line": "L1", "count": 3, "classes": [7], "share": 0.5}
     assert [type(value) for value in made.params.values()] == [str, int, list, float]
     assert decoded(json.loads(json.dumps(encoded(made))), Message).params["count"] == 3
-
-
-def test_texts_that_are_kept_without_a_code_are_english_and_can_be_translated() -> None:
-    raised = InputError(error("cache.not_writable", folder="/a", used="/c"))
-    with in_language("fr"):
-        french, kept = str(raised), in_english(raised)
-    assert kept == str(raised)
-    said = Translator(catalogue_of("fr"))(kept)
-    assert said.replace("\u00a0", " ") == french.replace("\u00a0", " ")

@@ -17,9 +17,8 @@ from lispac.io.sensor_file import (
     ScannerFigures,
     read_pos_figures,
 )
+from lispac.language import in_language
 from lispac.project import Settings
-from lispac.reverse_translation.catalogue import catalogue_of
-from lispac.reverse_translation.translation import Translator
 from lispac.workflow import sensors
 from lispac.workflow.projects import open_project
 from tests.command_errors import command_error
@@ -60,13 +59,13 @@ def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> 
 
 def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) -> None:
     found = sensors.library(tmp_path)
-    french = Translator(catalogue_of("fr"), spoken_numbers=True)
     for figures in (
         *(scanner.figures for scanner in found.scanners),
         *(state for pos in found.pos for state in pos.figures.states),
     ):
-        assert sensors.origin_of(figures, french.cell) != sensors.origin_of(figures)
-    assert french.unknown == ()
+        english = sensors.origin_of(figures)
+        with in_language("fr"):
+            assert sensors.origin_of(figures) != english
 
 
 @pytest.mark.parametrize("name", FIGURES)

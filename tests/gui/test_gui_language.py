@@ -10,14 +10,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.design import edits
-from lispac.gui.language import language, leave_plan_alone, say, set_language
+from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.widgets import TallArea
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
+from lispac.language import current_language, gettext
 from lispac.progress import Progress
 from lispac.project import Project
 from tests.gui.by_hand import choose, open_menu
@@ -71,8 +71,8 @@ def test_the_language_changes_and_nothing_is_lost(
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
     french = session.window
     qtbot.waitUntil(french.isActiveWindow, timeout=SOON_MS)
-    assert language() == "fr"
-    assert french.docks["Results"].windowTitle() == say("Results") == "Résultats"
+    assert current_language() == "fr"
+    assert french.docks["Results"].windowTitle() == gettext("Results") == "Résultats"
     assert french.document.project is edited
     assert french.isWindowModified()
     assert french.document.survey is demo.survey
@@ -287,17 +287,3 @@ def test_nothing_is_cut_off_in_a_small_french_window(
                 if area.isVisible():
                     assert area.width() >= area.minimumSizeHint().width()
     assert window.width() == 1366
-
-
-def test_sentences_with_lines_of_a_plan_are_said(qapp: QApplication) -> None:
-    set_language("fr")
-    try:
-        leave_plan_alone(edits.usual().plan)
-        assert say(
-            "Pitch is seen mainly by lines L3 and L2: without L3 its sigma would be 0.023 instead "
-            "of 0.014 deg."
-        ).startswith(
-            "Le tangage est vu surtout par les lignes L3 et L2\N{NO-BREAK SPACE}: sans L3, "
-        )
-    finally:
-        set_language("en")

@@ -6,8 +6,9 @@ from html import unescape
 from pathlib import Path
 
 from lispac.adjustment.older import refused_since
-from lispac.gui.language import say_message, set_language
+from lispac.gui.language import set_language
 from lispac.gui.reporting import Reporting
+from lispac.message_texts import message_text
 from tests.gui.support import Driver
 
 
@@ -30,7 +31,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
         ("serious", "adjustment.refused_since")
     ]
     set_language("fr")
-    french = say_message(refused_since(refusal))
+    french = message_text(refused_since(refusal))
     assert french.startswith("Une estimation ultérieure a été refusée")
     set_language("en")
 
