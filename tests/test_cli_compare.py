@@ -65,14 +65,14 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["remarks"]
-    assert any("b rests on the same lines as a" in remark for remark in remarks)
+    assert any("b has the same lines as a" in remark for remark in remarks)
     assert any("another lever arm than a" in remark for remark in remarks)
     part = replace(
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
     remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["remarks"]
-    assert any("c rests on 1 of the lines of a" in remark for remark in remarks)
+    assert any("c has 1 line in common with a" in remark for remark in remarks)
 
 
 def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
