@@ -249,7 +249,7 @@ def test_from_the_command_line(
     assert [Path(line).name for line in out.split()] == ["T1_estimated.csv", "V1_estimated.csv"]
     code, out, err = run("--what", "trajectory", "--output", tmp_path / "t" / "a.sbet")
     assert code == 0
-    assert "velocities" in err
+    assert "Velocities" in err
     assert (tmp_path / "t" / "a.sbet").exists()
     code, out, _ = run("--what", "planes", "--output", tmp_path / "p", "--boresight", "prior")
     assert code == 0

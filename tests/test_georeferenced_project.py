@@ -277,7 +277,9 @@ def test_from_the_command_line(
         "file": str(tmp_path / "out" / "L1_prior.las"), "points": SMALL - 5, "outside": 5,
         "in_gaps": 0,
     }  # fmt: skip
-    assert f"L1_prior.las: 5 points outside the trajectory's time, of {SMALL:,}, are left" in err
+    assert (
+        f"L1_prior.las: 5 points outside the trajectory's time are left out, of {SMALL:,}." in err
+    )
     assert "taken above the ellipsoid" in err
     assert main([*words, "--crs", "local"]) == 0
     out, err = capsys.readouterr()

@@ -18,6 +18,7 @@ from lispac.io.sensor_file import (
     read_pos_figures,
 )
 from lispac.language import in_language
+from lispac.message_texts import english_text
 from lispac.project import Settings
 from lispac.workflow import sensors
 from lispac.workflow.projects import open_project
@@ -29,6 +30,7 @@ INS = PosFigures(
     "My INS",
     (PosState("ppk", (0.01, 0.011, 0.02), (0.004, 0.005, 0.009), "Certificate 12", True),),
 )
+NOT_VERIFIED = "not verified: check the data sheet"
 FIGURES = {
     "zf-9012": (0.0087, 0.02, 0.5),
     "ouster-os1-128": (0.015, 0.01, 3.14),
@@ -63,9 +65,10 @@ def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) 
         *(scanner.figures for scanner in found.scanners),
         *(state for pos in found.pos for state in pos.figures.states),
     ):
-        english = sensors.origin_of(figures)
         with in_language("fr"):
-            assert sensors.origin_of(figures) != english
+            french = sensors.origin_of(figures)
+        assert figures.source in sensors.SOURCES
+        assert french != sensors.origin_of(figures)
 
 
 @pytest.mark.parametrize("name", FIGURES)
@@ -76,8 +79,8 @@ def test_figures_are_those_of_the_source(tmp_path: Path, name: str) -> None:
 
 def test_what_cannot_be_seen_says_so(tmp_path: Path) -> None:
     found = sensors.library(tmp_path)
-    assert sensors.FROM_MEMORY in sensors.origin_of(found.scanner("riegl-vux-1"))
-    assert sensors.FROM_MEMORY not in sensors.origin_of(found.scanner("zf-9012"))
+    assert NOT_VERIFIED in sensors.origin_of(found.scanner("riegl-vux-1"))
+    assert NOT_VERIFIED not in sensors.origin_of(found.scanner("zf-9012"))
     hydrins, state = found.pos_state("hydrins")
     assert hydrins.title.endswith("Hydrins")
     # thesis, table 1.2: 0.006 m + 0.5 ppm and 0.01 m + 1 ppm at 10 km
@@ -120,7 +123,7 @@ def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> Non
     found = sensors.library(tmp_path)
     assert found.pos == sensors.library(tmp_path / "none").pos
     (remark,) = found.remarks
-    assert remark.startswith(f"{path}: rtk.position_m contains zero")
+    assert english_text(remark).startswith(f"{path}: rtk.position_m contains zero")
 
 
 @pytest.mark.parametrize(
@@ -179,7 +182,7 @@ def test_the_list_has_every_sensor_with_its_source(
     assert code == 0
     assert "8.7 mm   0.0200 deg   0.50 mrad  Z+F PROFILER 9012" in out
     assert f"{MINE.title} (your own)" in out
-    assert out.count(sensors.FROM_MEMORY) >= 5
+    assert out.count(NOT_VERIFIED) >= 5
 
 
 def test_a_new_project_takes_sigmas_and_names_from_the_library(

@@ -206,11 +206,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "history.first": N_("{name} is the first."),
     "history.moved": N_(
-        "{name} differs from the earlier ones ({difference}): the mounting has moved, or one of "
-        "the calibrations is wrong. A new series begins."
+        "{name} differs from the earlier ones, most in {difference}: the mounting has moved, or "
+        "one of the calibrations is wrong. A new series begins."
     ),
     "history.within_limits": N_(
-        "{name} lies within the limits of the earlier ones (largest difference: {difference})."
+        "{name} lies within the limits of the earlier ones; largest difference: {difference}."
     ),
     "history.no_result": N_("{project} has no result yet."),
     "history.no_date": N_(

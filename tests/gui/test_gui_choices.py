@@ -32,7 +32,7 @@ def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
     type_into(opened, field(panel, "seed_max_tilt"), "8")
     unfold(opened, panel, "seed_more")
     assert not field(panel, "seed_min_points").isVisible()
-    assert panel.more.fold.head.text() == "More: at least 50 points, at most 8° of tilt"
+    assert panel.more.fold.head.text() == "More: at least 50 points, tilt at most 8.0°"
     seed(opened, "T1")
     click(opened, panel.candidate.accept)
     chosen = FinderChoices(min_points=50, max_tilt=radians(8.0))

@@ -49,7 +49,7 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert "at the epoch of the trajectory" in dialog.said.text()
     dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
     assert dialog.said.isVisible()
-    assert "in the datum and at the epoch it was computed in" in dialog.said.text()
+    assert "in its datum and at its epoch" in dialog.said.text()
 
 
 def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
