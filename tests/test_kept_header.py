@@ -111,7 +111,7 @@ def test_without_what_was_kept_the_loss_is_said(
         assert main(["import", str(project.folder), "--check"]) == 0
         assert "header that were kept at the import have changed" in capsys.readouterr().err
     header.unlink()
-    assert any("are not kept" in note for note in written(project, tmp_path / "two")[1])
+    assert "export.file_and_header_gone" in codes(written(project, tmp_path / "two")[1])
 
 
 def test_a_text_line_has_no_header_to_keep(

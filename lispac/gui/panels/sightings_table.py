@@ -15,7 +15,6 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from lispac.gui import theme, units
-from lispac.gui.language import say_message
 from lispac.gui.panels import quantities, widgets
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
@@ -410,7 +409,7 @@ def _of_missing(target: Target, line: str, role: int) -> Any:
         if line in target.missing:
             reason = gettext(
                 "{target} in line {line}: {reason}",
-                target=target.name, line=line, reason=say_message(target.missing[line]),
+                target=target.name, line=line, reason=message_text(target.missing[line]),
             )  # fmt: skip
         else:
             reason = gettext(

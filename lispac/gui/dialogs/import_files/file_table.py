@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import words
-from lispac.gui.language import say_message
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.language import N_, gettext
@@ -113,7 +112,7 @@ class FileTable(QTableWidget):
             item.setText(state)
             item.setForeground(QColor(colour))
             item.setIcon(words.state_icon(intake, entry))
-            tip = "\n".join(map(say_message, intake.remarks(entry))) or state
+            tip = "\n".join(map(message_text, intake.remarks(entry))) or state
             item.setToolTip(widgets.plain_tip(tip))
             out = intake.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
