@@ -11,6 +11,7 @@ import pytest
 from lispac.errors import Cancelled, InputError
 from lispac.io.las import write_points
 from lispac.io.project_file import read_project, write_project
+from lispac.messages import note
 from lispac.progress import Step, no_progress
 from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
@@ -64,7 +65,7 @@ def test_imported_lines_are_opened_where_they_lie(project: Project, stored: Surv
     try:
         without = load_survey(project)
         assert without.lines == stored.lines
-        assert any(f"{line.path} is not there" in note for note in without.notes)
+        assert note("import.file_gone", file=str(line.path), line=line.name) in without.notes
         elsewhere = replace(line, path=line.path.with_name("another.laz"))
         renamed = replace(project, lines=(elsewhere, *project.lines[1:]))
         with pytest.raises(InputError, match=r"another\.laz"):

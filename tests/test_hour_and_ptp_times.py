@@ -55,4 +55,4 @@ def test_the_base_that_fits_is_offered_where_none_is_stated(
     assert main(command) == 1
     shift = TIMES[0] - TAI[0]
     told = capsys.readouterr().err
-    assert f"adding {shift:,.3f} s" in told  # as UTC it would be 37 s off, outside the trajectory
+    assert f"add {shift:+,.3f} s" in told  # as UTC it would be 37 s off, outside the trajectory

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from lispac.cli.main import main
+from lispac.messages import Message
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import HEADER
 from lispac.survey.store.reading import StoredLine
@@ -17,6 +18,7 @@ from lispac.workflow.importing import import_lines, kept_header, line_folder
 from lispac.workflow.projects import create_project
 from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import Survey, load_survey
+from tests.message_codes import codes
 
 GUID = uuid.UUID("12345678-1234-5678-1234-567812345678")
 
@@ -56,7 +58,7 @@ def project(calibrated: tuple[Project, Survey], tmp_path: Path) -> Project:
     return made
 
 
-def written(project: Project, folder: Path) -> tuple[laspy.LasData, tuple[str, ...]]:
+def written(project: Project, folder: Path) -> tuple[laspy.LasData, tuple[Message, ...]]:
     (done,) = georeference_project(project, folder, "prior", system="EPSG:32619")
     return laspy.read(done.path), done.notes
 
@@ -66,7 +68,7 @@ def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_pat
     path = project.lines[0].path
     path.rename(path.with_suffix(".moved"))
     without, notes = written(project, tmp_path / "two")
-    assert any("the records of its header are those kept at the import" in note for note in notes)
+    assert "export.file_gone" in codes(notes)
     for name in ("system_identifier", "uuid", "file_source_id", "generating_software"):
         assert getattr(without.header, name) == getattr(with_file.header, name)
     assert without.header.uuid == GUID
@@ -104,12 +106,12 @@ def test_without_what_was_kept_the_loss_is_said(
         header.write_bytes(damaged)
         cloud, notes = written(project, tmp_path / f"one{n}")
         assert len(cloud.points) == 5000
-        assert any("are not kept" in note for note in notes)
+        assert "export.file_and_header_gone" in codes(notes)
         capsys.readouterr()
         assert main(["import", str(project.folder), "--check"]) == 0
         assert "header that were kept at the import have changed" in capsys.readouterr().err
     header.unlink()
-    assert any("are not kept" in note for note in written(project, tmp_path / "two")[1])
+    assert "export.file_and_header_gone" in codes(written(project, tmp_path / "two")[1])
 
 
 def test_a_text_line_has_no_header_to_keep(

@@ -145,7 +145,7 @@ def test_at_the_command_line_and_in_a_script(
     assert "nowhere: the folder does not exist" in capsys.readouterr().err
     assert main(["locate", str(home), str(usb / "quay" / "nav")]) == 1
     out, err = capsys.readouterr()
-    assert out.count("was moved: it is read from") == 2
+    assert out.count("was moved and is now read from") == 2
     assert "not in this folder: " in err
     assert main(["locate", str(home), str(usb)]) == 0
     capsys.readouterr()

@@ -5,10 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.messages import Message
-from lispac.project import Reading
+from lispac.messages import Message, note
+from lispac.project import LineSource, Reading
+from lispac.survey.source import USUAL
 from lispac.survey.time_base import DAY
-from lispac.workflow.offers import offered, outside
+from lispac.workflow.offers import gain_note, outside
 
 ROUND_MIDNIGHT = np.r_[np.linspace(DAY - 40, DAY - 1, 40), np.linspace(0, 39, 40)]
 """Seconds of the day as a file has them that was begun before midnight."""
@@ -18,32 +19,38 @@ def track(first: float, last: float) -> np.ndarray:
     return np.linspace(first, last, 500)
 
 
+def line(reading: Reading = USUAL) -> LineSource:
+    return LineSource("L1", Path("L1.las"), reading=reading)
+
+
 def test_nothing_is_offered_for_a_line_without_points() -> None:
-    assert offered(Reading(), np.zeros(0), track(0, 100)) == ""
+    assert gain_note(line(), np.zeros(0), track(0, 100)) is None
 
 
 def test_times_that_restart_are_offered_to_be_counted_on_once() -> None:
     counted = track(DAY - 50, DAY + 50)
-    said = offered(Reading(), ROUND_MIDNIGHT, counted)
-    assert said == (
-        "its times restart within it: import it again with --line-option restart=midnight"
-    )
+    assert gain_note(line(), ROUND_MIDNIGHT, counted) == note(
+        "import.restart_found", file="L1.las", place=note("rollover.midnight"),
+        option="restart=midnight",
+    )  # fmt: skip
     reading = Reading(options=(("restart", "midnight"),))
-    assert offered(reading, reading.moved(ROUND_MIDNIGHT), counted) == ""
+    assert gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), counted) is None
 
 
 def test_a_line_counted_on_beside_a_sorted_trajectory_is_offered_as_it_was_written() -> None:
     reading = Reading(options=(("restart", "midnight"),))
-    said = offered(reading, reading.moved(ROUND_MIDNIGHT), track(0, DAY))
-    assert said.startswith("not counted on, 100.0 % of its points lie inside: ")
-    assert said.endswith("--line-option restart=none")
+    assert gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), track(0, DAY)) == note(
+        "import.restart_not_needed", file="L1.las", share=1.0, option="restart=none"
+    )
 
 
 def test_beside_a_typed_shift_no_other_is_offered() -> None:
     """A base that fits is offered where nothing is typed, and the shift that was typed is kept."""
     times, known = 400_000.0 + np.linspace(-15, 15, 300), track(400_000, 400_100)
-    assert "--time-shift 18" in offered(Reading(), times, known)
-    assert offered(Reading(time_shift=3.0), times, known) == ""
+    found = gain_note(line(), times, known)
+    assert found is not None
+    assert (found.code, found.params["shift"]) == ("import.shift_possible", 18.0)
+    assert gain_note(line(Reading(time_shift=3.0)), times, known) is None
 
 
 @pytest.mark.parametrize(

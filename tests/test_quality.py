@@ -176,11 +176,11 @@ def test_the_expected_target_is_compared_in_words():
     upright = np.pi / 2
     assert deviations(ExpectedTarget(1.23, 1.22, upright), patch.extent, patch.plane.normal) == ()
     expected = ExpectedTarget(2.0, 1.22, np.radians(45))
-    said = deviations(expected, patch.extent, patch.plane.normal)
-    assert len(said) == 2
-    assert "m wide, 0.7" in said[0]
-    assert "less than the 2.00 m expected" in said[0]
-    assert "45.0 deg more than the 45.0 deg expected" in said[1] or "44." in said[1]
+    narrower, steeper = deviations(expected, patch.extent, patch.plane.normal)
+    assert (narrower.code, narrower.params["expected"]) == ("quality.narrower", 2.0)
+    assert narrower.params["off"] == pytest.approx(0.77, abs=0.03)
+    assert steeper.code == "quality.steeper"
+    assert np.degrees(steeper.params["off"]) == pytest.approx(45.0, abs=0.5)
     for wrong in ({"width": 0.0}, {"height": -1.0}, {"inclination": 2.0}):
         with pytest.raises(InputError):
             ExpectedTarget(**({"width": 1.0, "height": 1.0} | wrong))

@@ -23,6 +23,7 @@ from lispac.workflow import calibration, picking, projects
 from lispac.workflow.demo import make_demo
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
+from tests.message_codes import codes
 
 
 def test_seed_in_empty_space_changes_nothing(copy: Project) -> None:
@@ -178,7 +179,7 @@ def test_points_in_a_gap_of_the_trajectory_are_left_out_and_said(copy: Project) 
     survey = load_survey(replace(copy, targets=()))
     kept = survey.scans[copy.lines[0].name]
     assert len(kept) == np.count_nonzero((scan.time <= left) | (scan.time > right))
-    assert any("in a gap" in note for note in survey.notes)
+    assert "import.excluded_in_gaps" in codes(survey.notes)
 
 
 def test_an_origin_elsewhere_is_refused(copy: Project) -> None:
@@ -211,7 +212,7 @@ def test_a_line_outside_the_trajectory_is_refused(copy: Project) -> None:
     las = laspy.read(path)
     las.gps_time = np.asarray(las.gps_time) + 86_400
     las.write(path)
-    with pytest.raises(InputError, match=rf"{path.name}: its points .* lie outside the trajectory"):
+    with pytest.raises(InputError, match=rf"{path.name}: no point lies within the trajectory"):
         load_survey(copy)
 
 
@@ -242,7 +243,8 @@ def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
     las.write(path)
     survey = load_survey(replace(copy, targets=()))
     assert len(survey.scans[copy.lines[1].name]) == len(time) - 10
-    assert any("10 points outside" in note for note in survey.notes)
+    (outside,) = [each for each in survey.notes if each.code == "import.excluded_outside"]
+    assert outside.params["count"] == 10
 
 
 def test_a_project_folder_is_not_overwritten(copy: Project) -> None:

@@ -93,11 +93,9 @@ def _qualities() -> Iterator[SightingQuality]:
     yield replace(
         judged(board()),
         reasons=(
-            "It is 0.61 m wide, 0.59 m less than the 1.20 m expected.",
-            "It is inclined by 81.2 deg, 8.8 deg less than the 90.0 deg expected.",
-            "Only 11 % of its surface is seen.",
-            "Its RMS of 9.1 mm is 3.1 times the noise, 2.4 times without what the rough boresight "
-            "explains: it is rough or not flat.",
+            note("quality.narrower", size=0.61, off=0.59, expected=1.2),
+            note("quality.less_steep", tilt=1.42, off=0.15, expected=1.57),
+            note("quality.sphere_part", share=0.11),
         ),
     )
 

@@ -19,7 +19,7 @@ from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import load_survey
 from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
-from tests.message_codes import texts
+from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
 
@@ -48,9 +48,8 @@ def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) 
     project, survey = made(tmp_path / "p", track, line)
     held = np.sort(survey.scans["L"].time)
     assert held == pytest.approx(period - 20 + np.linspace(2, 38, 3000))
-    notes = [each for each in survey.notes if isinstance(each, Message)]
     assert ("import.times_restart", period) in [
-        (each.code, each.params.get("period")) for each in notes
+        (each.code, each.params.get("period")) for each in survey.notes
     ]
     written = np.sort(laspy.read(line).gps_time)
     again = open_project(project.folder)
@@ -207,7 +206,7 @@ def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_pa
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0
     told = "".join(capsys.readouterr())
-    assert "times start again at midnight or at the end of the week" in told
+    assert "The times restart once (at midnight or at the end of the week)" in told
 
 
 def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Path) -> None:
@@ -215,6 +214,6 @@ def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Pa
     records = np.fromfile(track).reshape(-1, 17)
     write_records(track, records[np.argsort(records[:, 0])])
     _, survey = made(tmp_path / "p", track, line)
-    assert "import it again with --line-option restart=none" in texts(survey.notes)
+    assert "import.restart_not_needed" in codes(survey.notes)
     _, survey = made(tmp_path / "q", track, line, Reading("", (("restart", "none"),)))
     assert len(survey.scans["L"]) > 2990

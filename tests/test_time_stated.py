@@ -43,7 +43,7 @@ def write_points(path: Path, added: float, first: float = 30.0, last: float = 60
 
 def messages_of(survey: Survey, code: str) -> list[Message]:
     """Notes of a survey that are messages with a code."""
-    return [each for each in survey.notes if isinstance(each, Message) and each.code == code]
+    return [each for each in survey.notes if each.code == code]
 
 
 def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading=Reading()):  # noqa: B008

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
+    "item.list_row": N_("{file}, row {row:n}: {name}"),
     "item.more": Plural("{count:n} more", "{count:n} more"),
     # -- quantities --------------------------------------------------------------------------
     "quantity.roll": N_("roll"),
@@ -52,6 +53,11 @@ TEXTS: Mapping[str, Template] = {
     "item.halves": N_(
         "first minus second half ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
     ),
+    "suspect.heights": N_("heights"),
+    "suspect.time": N_("time"),
+    "suspect.roll_sign": N_("sign of roll"),
+    "suspect.pitch_sign": N_("sign of pitch"),
+    "suspect.attitude_signs": N_("signs of roll and pitch"),
     # -- causes of residuals -----------------------------------------------------------------
     "cause.larger": N_("{parameter} larger by {amount}"),
     "cause.smaller": N_("{parameter} smaller by {amount}"),

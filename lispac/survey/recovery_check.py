@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from lispac.causes import Cause
 from lispac.errors import LispacError
-from lispac.messages import Action, Level, Message, Value
+from lispac.messages import Action, Level, Message, Value, note
 from lispac.survey.recovery import Recovery
 from lispac.survey.scan_geometry import BeamCone, arc_of, fit_cone, fit_cones, fit_plane
 
@@ -233,10 +233,16 @@ def _shapes(found: _Recovered) -> Iterator[Shape]:
 
 
 TITLES = {
-    "height_offset": "heights", "time_offset": "time", "lever_arm_x": "lever arm X",
-    "lever_arm_y": "lever arm Y", "lever_arm_z": "lever arm Z", "roll_sign": "sign of roll",
-    "pitch_sign": "sign of pitch", "roll_pitch_signs": "signs of roll and pitch",
-}  # fmt: skip
+    "height_offset": note("suspect.heights"),
+    "time_offset": note("suspect.time"),
+    "lever_arm_x": note("quantity.lever_x"),
+    "lever_arm_y": note("quantity.lever_y"),
+    "lever_arm_z": note("quantity.lever_z"),
+    "roll_sign": note("suspect.roll_sign"),
+    "pitch_sign": note("suspect.pitch_sign"),
+    "roll_pitch_signs": note("suspect.attitude_signs"),
+}
+"""Names of the causes, as parts of messages."""
 
 
 def _message(

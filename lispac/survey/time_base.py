@@ -48,8 +48,6 @@ class TimeBase:
     ----------
     key : str
         As in the project file and at the command line.
-    name : str
-        As in sentences.
     offset : float, seconds
         Continuous time since 1980-01-06 at zero, leap seconds apart.
     period : float or None, seconds
@@ -62,7 +60,6 @@ class TimeBase:
     """
 
     key: str
-    name: str
     offset: float
     period: float | None
     utc: bool
@@ -70,22 +67,22 @@ class TimeBase:
     highest: float
 
 
-def _absolute(key: str, name: str, offset: float, utc: bool) -> TimeBase:
+def _absolute(key: str, offset: float, utc: bool) -> TimeBase:
     first = datetime(2000, 1, 1, tzinfo=UTC).timestamp() - GPS_EPOCH
     last = datetime(2045, 1, 1, tzinfo=UTC).timestamp() - GPS_EPOCH
-    return TimeBase(key, name, offset, None, utc, first - offset, last - offset)
+    return TimeBase(key, offset, None, utc, first - offset, last - offset)
 
 
 BASES = (
-    TimeBase("gps-week", "GPS seconds of the week", 0.0, WEEK, False, 0.0, 2 * WEEK),
-    TimeBase("gps-day", "GPS seconds of the day", 0.0, DAY, False, 0.0, 2 * DAY),
-    TimeBase("utc-day", "UTC seconds of the day", 0.0, DAY, True, 0.0, 2 * DAY),
-    TimeBase("utc-week", "UTC seconds of the week", 0.0, WEEK, True, 0.0, 2 * WEEK),
-    _absolute("gps-adjusted", "adjusted standard GPS time (minus 1e9)", 1e9, False),
-    _absolute("gps-full", "GPS seconds since 1980-01-06", 0.0, False),
-    _absolute("unix", "UTC seconds since 1970-01-01", -GPS_EPOCH, True),
-    _absolute("tai", "TAI seconds since 1970-01-01 (PTP)", -GPS_EPOCH - GPS_AFTER_TAI, False),
-    TimeBase("utc-hour", "UTC seconds of the hour", 0.0, HOUR, True, 0.0, 2 * HOUR),
+    TimeBase("gps-week", 0.0, WEEK, False, 0.0, 2 * WEEK),
+    TimeBase("gps-day", 0.0, DAY, False, 0.0, 2 * DAY),
+    TimeBase("utc-day", 0.0, DAY, True, 0.0, 2 * DAY),
+    TimeBase("utc-week", 0.0, WEEK, True, 0.0, 2 * WEEK),
+    _absolute("gps-adjusted", 1e9, False),
+    _absolute("gps-full", 0.0, False),
+    _absolute("unix", -GPS_EPOCH, True),
+    _absolute("tai", -GPS_EPOCH - GPS_AFTER_TAI, False),
+    TimeBase("utc-hour", 0.0, HOUR, True, 0.0, 2 * HOUR),
 )
 """All bases, the more usual first."""
 

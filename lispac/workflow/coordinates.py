@@ -60,7 +60,7 @@ def away(places: Array, trajectory: LocalTrajectory) -> Array:
 
 
 def too_far(
-    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str
+    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str | Message
 ) -> Message | None:
     """What is wrong with coordinates that no target of the survey can have; None where nothing.
 
@@ -68,7 +68,7 @@ def too_far(
     ----------
     point : ndarray of shape (3,), local frame
         As one of `local_places`.
-    name : str
+    name : str or Message
         Of the target, file or row that has the coordinates.
     """
     distance = float(away(local_places(point, system, trajectory), trajectory)[0])
@@ -102,7 +102,7 @@ SWAPPED = {
 
 
 def require_near(
-    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str
+    point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str | Message
 ) -> Array:
     """The place of coordinates in the local frame, shape (3,), metres.
 
@@ -110,7 +110,7 @@ def require_near(
     ----------
     point : ndarray of shape (3,)
         In ``system``; north, west, up in metres where that is None.
-    name : str
+    name : str or Message
         Of the target, file or row that has them.
 
     Raises

@@ -108,7 +108,7 @@ def read_seeds(
         if not name:
             name = next_name(numbered, own)
             numbered = replace(numbered, targets=(*numbered.targets, _holder(name, own)))
-        where = f"{points.path}, row {point.row}: {name}"
+        where = note("item.list_row", file=str(points.path), row=point.row, name=name)
         north, west, up = require_near(np.array(point.coordinates), system, trajectory, where)
         place = (float(north), float(west), float(up))
         seeds.append(ListedSeed(point.row, name, own, place, name in taken))

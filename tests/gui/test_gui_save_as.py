@@ -21,6 +21,7 @@ from lispac.workflow.projects import open_project, save_project
 from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import load_survey
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
+from tests.message_codes import codes
 
 Shift = Control.__class__.ShiftModifier
 
@@ -139,7 +140,7 @@ def test_imported_lines_go_along(demo: Demo, tmp_path: Path) -> None:
     assert found.clouds[moved.lines[0].name].stored.folder == own
     again = load_survey(open_project(tmp_path / "new"))
     assert again.scans[moved.lines[0].name].folder == own
-    assert not any("imported again" in note for note in again.notes)
+    assert "import.repeated" not in codes(again.notes)
     assert len(again.clouds[moved.lines[0].name].sample) == len(
         survey.clouds[one.lines[0].name].sample
     )
