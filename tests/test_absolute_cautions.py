@@ -107,7 +107,7 @@ def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: st
     found = check({ALL_LINES: off})
     content = sample_content(sample_project(tmp_path).with_absolute(found))
     document = undrawn_document(content, {}, ReportOptions())
-    first = Absolute.of(found).in_words[0]
+    first = message_text(Absolute.of(found).in_words[0])
     said = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
     warnings = [
         each for each in content.cautions if "nearer" in each.code or "farther" in each.code

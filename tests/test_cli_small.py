@@ -18,6 +18,7 @@ from lispac.cli import check, patchtest, pick, propose, quality, targetless, war
 from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.message_texts import english_text
+from lispac.messages import note
 from lispac.patchtest.answer import PatchTest
 from lispac.patchtest.boxes import Box, PatchObject
 from lispac.patchtest.pairs import LinePair
@@ -183,7 +184,7 @@ def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) ->
     assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
     assert rows[6].split() == ["moved", "2", "40.0", "yaw", "-0.2000", "0.0500", "DIFFERS"]
     assert rows[7].split() == ["ball", "1", "20.0", "none", "+0.0000", "0.0000"], "not judged"
-    assert rows[-1].startswith("moved does not agree: ")
+    assert rows[-1].startswith("moved disagrees: ")
 
 
 def _target(name: str, role: str, north: float, one_in: int = 1) -> Target:
@@ -198,13 +199,17 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
     capsys: pytest.CaptureFixture[str], project: Project, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     targets = (_target("T1", "target", 1.25), _target("V1", "validation", -4.0, one_in=3))
-    reasons = {"T1": "Seen on 2\u00a0lines.", "V1": "Flat."}
+    reasons = {
+        "T1": note("propose.target_needed", lines=2),
+        "V1": note("propose.validation_plane", area=2.0, lines=2, height=3.0),
+    }
+    needed, flat = map(english_text, reasons.values())
     proposal = Proposal(targets, reasons, np.radians([0.01, 0.02, 0.03]))
     monkeypatch.setattr(propose, "proposal_for", lambda *_, **__: proposal)
     out, err = told(capsys, "propose", project.folder)
     assert out.splitlines() == [
-        "T1   target     at 1.25 -15.00 5.00 m", "     Seen on 2 lines.",
-        "V1   validation at -4.00 -15.00 5.00 m", "     Flat.",
+        "T1   target     at 1.25 -15.00 5.00 m", f"     {needed}",
+        "V1   validation at -4.00 -15.00 5.00 m", f"     {flat.replace('²', '2')}",
         "sigmas roll 0.010, pitch 0.020, yaw 0.030 deg",
     ]  # fmt: skip
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
@@ -214,7 +219,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
     assert numbers["accepted"] is True
     assert numbers["sigma_deg"] == pytest.approx({"roll": 0.01, "pitch": 0.02, "yaw": 0.03})
     assert numbers["targets"][0] == {
-        "name": "T1", "role": "target", "seed_m": [1.25, -15.0, 5.0], "reason": "Seen on 2 lines.",
+        "name": "T1", "role": "target", "seed_m": [1.25, -15.0, 5.0], "reason": needed,
         "lines": {line: {"points": 50, "rms_m": 0.003} for line in ("L1_000", "L2_180")},
     }  # fmt: skip
     kept = read_project(project.folder).targets

@@ -11,6 +11,7 @@ from lispac.design.choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.errors import AdjustmentError, NotComparable, ProjectError
 from lispac.io.plan_file import TitledPlan
+from lispac.messages import note
 from lispac.targets.expected import ExpectedTarget
 from lispac.workflow.accepting import not_picked, with_accepted
 from lispac.workflow.calibration import check
@@ -129,14 +130,14 @@ def test_what_is_picked_already_is_not_proposed_again() -> None:
         for k, (name, seed) in enumerate(seeds.items())
     )
     plane = replace(found[1], role="validation")
-    reasons = {each.name: "Seen on 3 lines." for each in found}
+    reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
     left = not_picked(project, proposal)
     assert (left.targets, left.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
     left = not_picked(bare, proposal)
     assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
-    assert left.reasons == {"V1": "Seen on 3 lines."}
+    assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
     accepted, names = with_accepted(bare, left, ["V1", "no such name"])
     assert names == ("V1",)
     assert [each.name for each in accepted.targets] == ["T1", "V1"]

@@ -28,6 +28,7 @@ from lispac.report.wording import (
     mm,
     parameter,
     quantity,
+    sentence,
     signed,
     title,
 )
@@ -78,7 +79,7 @@ def summary(content: ReportContent) -> list[Block]:
         )
     against = content.absolute
     if against is not None and not against.together.after.mean_significant:
-        finding = against.in_words[0]
+        finding = sentence(against.in_words[0])
         checked = gettext(
             "Checked against {reference}: {finding}", reference=against.reference, finding=finding
         )

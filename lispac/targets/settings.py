@@ -1,7 +1,7 @@
 """How a plane is sought."""
 
 from dataclasses import asdict, dataclass
-from math import degrees, pi, radians
+from math import pi, radians
 from typing import Any
 
 from lispac.errors import InputError
@@ -91,17 +91,6 @@ class FinderChoices:
             Where the finder cannot work with them.
         """
         return FinderSettings(**asdict(self), **others)
-
-    @property
-    def in_words(self) -> str:
-        """What differs from the usual; empty where nothing does."""
-        said = (
-            (self.min_points != USUAL.min_points, f"at least {self.min_points} points"),
-            (self.max_tilt != USUAL.max_tilt, f"at most {degrees(self.max_tilt):g} deg of tilt"),
-            (self.stop != USUAL.stop, f"stop criterion {self.stop:g}"),
-            (self.seed != USUAL.seed, f"random seed {self.seed}"),
-        )
-        return ", ".join(words for differs, words in said if differs)
 
 
 USUAL = FinderChoices()

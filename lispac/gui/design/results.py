@@ -178,7 +178,7 @@ class ResultsPanel(QScrollArea):
             without = float(np.degrees(each.without))
             times = without / largest if known and np.isfinite(without) else None
             cells = [
-                Cell(each.name, named=True), _sigma(without),
+                Cell(each.name), _sigma(without),
                 Cell("" if times is None else number(times, 2), times),
             ]  # fmt: skip
             rows.append(Row(cells))

@@ -77,5 +77,5 @@ class BudgetDialog(StudyDialog):
                 ]
             )
             tip = gettext("Uncertainty not given; not included") if each.at_distance is None else ""
-            rows.append(Row((Cell(each.source), *figures), marked=each in sums, tip=tip))
+            rows.append(Row((Cell(say(each.source)), *figures), marked=each in sums, tip=tip))
         self.show_rows(rows)

@@ -200,7 +200,7 @@ class CheckedDialog(StudyDialog):
         )  # fmt: skip
         self.show_rows(
             [
-                *(_row(each, Cell(each.line, named=True)) for each in found.lines),
+                *(_row(each, Cell(each.line)) for each in found.lines),
                 _row(found.together, Cell(gettext("all lines"))),
             ]
         )

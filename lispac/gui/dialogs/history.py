@@ -109,7 +109,7 @@ def _row(entry: Entry) -> Row:
     angles, sigmas = np.degrees(found.boresight), np.degrees(found.sigma)
     cells = [
         Cell(entry.day.isoformat(), shown=short_date(entry.day)),
-        Cell(found.name, named=True),
+        Cell(found.name),
     ]
     for angle, sigma in zip(angles, sigmas, strict=True):
         cells += [number(angle, "+.4f"), number(sigma, ".4f")]

@@ -76,10 +76,8 @@ def _columns() -> list[Column]:
 
 
 def _row(first: str, second: str, facing: Facing, figures: Figures) -> Row:
-    if first == second:  # all lines together
-        names = [Cell(gettext("all lines"))] * 2
-    else:
-        names = [Cell(first, named=True), Cell(second, named=True)]
+    is_total = first == second
+    names = [Cell(gettext("all lines"))] * 2 if is_total else [Cell(first), Cell(second)]
     sizes = (figures.rmsd, figures.robust_sigma, figures.p95, figures.largest)
     return Row(
         (

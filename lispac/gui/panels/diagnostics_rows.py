@@ -197,7 +197,7 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
         number(residual.rms_before, ".1f", MM),
         number(residual.rms_after, ".1f", MM),
     ]
-    names = [Cell(sighting.target, named=True), Cell(sighting.line, named=True)]
+    names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
         cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("no test"))]
         return Row(cells, key, tip=gettext(FOLLOW))
@@ -260,7 +260,7 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
             remark = gettext("rejected on {lines:names}", lines=rejected)
         test_values = [abs(r.w) for r in tests if not r.released]
         cells = [
-            Cell(target.target, named=True),
+            Cell(target.target),
             Cell(gettext("sphere") if target.sphere else gettext("plane")),
             number(lines, ",.0f"),
             number(target.points, ",.0f"),
@@ -279,11 +279,11 @@ def check_rows(checks: CrossChecks) -> list[Row]:
     """One row for each part of the data."""
     rows = []
     for name, check in named_parts(cross_checked(checks)):
-        title = Cell(name, named=True)
+        title = Cell(name)
         if check.difference_deg is None or check.significance is None:
             reason = message_text(check.reason) if check.reason else ""
             verdict = Cell(gettext("no result"))
-            cells = [title, *[number(None, "")] * 6, verdict, Cell(reason, named=True)]
+            cells = [title, *[number(None, "")] * 6, verdict, Cell(reason)]
             rows.append(Row(cells, tip=reason))
             continue
         cells = [title]
@@ -351,7 +351,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
         def cell(value: float | None, kind=kind, signed: bool = True) -> Cell:
             if value is None:
                 return Cell("–")
-            return Cell(kind.amount(value, signed=signed), value, named=True)
+            return Cell(kind.amount(value, signed=signed), value)
 
         reason = estimate.reason
         remark = _significance_text(estimate) if reason is None else message_text(reason)
@@ -371,7 +371,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
 
 
 def _angle(value: float, form: str) -> Cell:
-    return Cell(units.local_amount(float(np.degrees(value)), "°", form), value, named=True)
+    return Cell(units.local_amount(float(np.degrees(value)), "°", form), value)
 
 
 def _significance_text(estimate: Estimate) -> str:

@@ -8,10 +8,9 @@ from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from lispac.gui import theme, units
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
-from lispac.language import gettext, is_translated
+from lispac.language import gettext
 
 Key = tuple[str, str]
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -20,7 +19,7 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 @dataclass(frozen=True)
 class Column:
-    """A column's heading and what it means, in English or in the user's language."""
+    """A column's heading and its tooltip."""
 
     title: str
     tip: str
@@ -32,16 +31,12 @@ class Column:
 
 @dataclass(frozen=True)
 class Cell:
-    """What a cell shows and is sorted by; the text as in `Column`."""
+    """What a cell shows and is sorted by."""
 
     text: str
     value: float | None = None
-    named: bool = False
-    """Whether it is a name, which is the same in every language."""
     figure: tuple[str, float] | None = None
     """Form of a number, and units of the column's base to one of its value."""
-    bases: tuple[Base, ...] = ()
-    """Units whose signs an English text has."""
     shown: str = ""
     """Shown instead of the text, which remains what the cell is sorted by."""
 
@@ -60,8 +55,6 @@ class Row:
     key: Key | None = None
     marked: bool = False
     tip: str = ""
-    bases: tuple[Base, ...] = ()
-    """Units whose signs an English tip has."""
 
 
 class _Item(QTableWidgetItem):
@@ -74,10 +67,8 @@ class _Item(QTableWidgetItem):
             text = units.localised(
                 f"{value:{form}}" if base is None else units.figure(value, base, form)
             )
-        elif cell.named:
-            text = cell.text
         else:
-            text = cell.shown or units.signs(_translated(cell.text), *cell.bases)
+            text = cell.shown or cell.text
         super().__init__(text.replace("-", "−") if cell.value is not None else text)
         self.cell = cell
 
@@ -99,7 +90,7 @@ class DiagnosticsTable(QTableWidget):
         super().__init__(0, len(columns))
         self.setTabKeyNavigation(False)
         self.setObjectName(name)
-        self.setAccessibleName(_translated(title))
+        self.setAccessibleName(title)
         self._columns = tuple(columns)
         self._rows: list[Row] = []
         # Units in a second line: the columns stay narrow enough to be seen together.
@@ -107,7 +98,7 @@ class DiagnosticsTable(QTableWidget):
         sorting = gettext("Click to sort")
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
-            tip = _in_units(_translated(column.tip), column)
+            tip = _in_units(column.tip, column)
             head.setToolTip(f"{tip}\n{sorting}")
             head.setTextAlignment(_LEFT if column.words else _RIGHT)
         self.verticalHeader().hide()
@@ -139,7 +130,6 @@ class DiagnosticsTable(QTableWidget):
         self.setRowCount(len(rows))
         font = theme.tabular(self.font())
         for number, row in enumerate(rows):
-            tip = units.signs(_translated(row.tip), *row.bases) if row.tip else ""
             for column, cell in enumerate(row.cells):
                 item = _Item(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
@@ -148,8 +138,8 @@ class DiagnosticsTable(QTableWidget):
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
                     item.setForeground(QBrush(QColor(theme.WARNING_TEXT)))
-                if tip:
-                    item.setToolTip(widgets.plain_tip(tip))
+                if row.tip:
+                    item.setToolTip(widgets.plain_tip(row.tip))
                 self.setItem(number, column, item)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)
@@ -196,12 +186,7 @@ def _plain(text: str) -> str:
 
 
 def _title(column: Column) -> str:
-    return _in_units(_translated(column.title), column)
-
-
-def _translated(text: str) -> str:
-    """A text that is English or translated already, in the user's language."""
-    return text if is_translated(text) else say(text)
+    return _in_units(column.title, column)
 
 
 def _in_units(text: str, column: Column) -> str:

@@ -5,10 +5,9 @@ from math import degrees, radians
 
 from PySide6.QtWidgets import QFormLayout, QVBoxLayout, QWidget
 
-from lispac.gui.language import say
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import Fold
-from lispac.language import gettext
+from lispac.language import gettext, number
 from lispac.targets.settings import USUAL, FinderChoices
 
 
@@ -72,5 +71,20 @@ class MoreFields(QWidget):
         self.fold.open(choices != USUAL)
 
     def _summarise(self) -> None:
-        parts = self.value.in_words.replace(" deg", "°").split(", ")
-        self.fold.set_summary(", ".join(map(say, parts)))
+        self.fold.set_summary(", ".join(_differences(self.value)))
+
+
+def _differences(chosen: FinderChoices) -> list[str]:
+    """The options that are not the default."""
+    found = []
+    if chosen.min_points != USUAL.min_points:
+        found.append(gettext("at least {count:n} points", count=chosen.min_points))
+    if chosen.max_tilt != USUAL.max_tilt:
+        tilt = round(degrees(chosen.max_tilt), 1)
+        angle = number(tilt, 0 if tilt.is_integer() else 1)
+        found.append(gettext("at most {angle}° of tilt", angle=angle))
+    if chosen.stop != USUAL.stop:
+        found.append(gettext("stop criterion {value:x}", value=chosen.stop))
+    if chosen.seed != USUAL.seed:
+        found.append(gettext("random seed {seed:n}", seed=chosen.seed))
+    return found

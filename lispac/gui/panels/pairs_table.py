@@ -63,7 +63,7 @@ def _row(pair: PairComparison) -> Row:
     ]
     return Row(
         (
-            Cell(f"{pair.line_a}{arrow}{pair.line_b}", named=True),
+            Cell(f"{pair.line_a}{arrow}{pair.line_b}"),
             number(pair.after.distances.n, ",.0f"),
             *figures,
         ),
