@@ -20,7 +20,7 @@ from lispac.report.absolute_values import Absolute
 from lispac.report.blocks import Table
 from lispac.report.document import document_of
 from lispac.report.figures import svg_of
-from lispac.report.json_report import json_text
+from lispac.report.json_report import english_values, json_text
 from lispac.simulation.port import ORIGIN
 from lispac.simulation.survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
@@ -90,10 +90,10 @@ def test_errors_beyond_the_stated_ones_are_significant(
     check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
     assert check.together.after.significant
     assert all(line.after.significant for line in check.lines)
-    words = Absolute.of(check).in_words
-    assert "farther from the vessel" in words[0]
-    assert "more than reference, POS and boresight explain" in words[0]
-    assert check.lines[0].line in words[2]
+    mean, _, lines, *_ = Absolute.of(check).in_words
+    assert mean.code == "absolute.after_farther"
+    assert mean.params["finding"] == note("absolute.not_explained")
+    assert (lines.code, lines.params["count"]) == ("report.absolute_line_off", len(check.lines))
 
 
 def test_the_parts_of_what_the_mean_may_be_off_by(
@@ -373,7 +373,7 @@ def test_the_command(
     found = answer(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
-    assert found == json.loads(json.dumps(asdict(Absolute.of(check))))
+    assert found == json.loads(json.dumps(asdict(english_values(Absolute.of(check)))))
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert "coordinates in the local frame" in err

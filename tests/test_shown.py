@@ -54,7 +54,8 @@ def test_a_value_is_shown_alike_everywhere(
     print_result(result, None)
     assert f"{QUANTITIES[name].title} {words}, sigma " in capsys.readouterr().out
     printed = words.replace("-", "−")
-    assert KINDS[name].text(value) == printed.replace("deg", "°")
+    in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
+    assert KINDS[name].amount(value) == in_window
     said = quantity(name, value * STATED[name][0], sign=True)
     assert said == printed.replace(" ", "\u00a0")
 

@@ -5,7 +5,6 @@ import sys
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.adjustment.shown import plain
 from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.message_texts import message_text
 from lispac.report.absolute_values import Absolute, AgainstReference
@@ -29,7 +28,7 @@ def check(arguments: Namespace) -> None:
     assert project.absolute is not None
     found = Absolute.of(project.absolute)
     for note in notes:
-        print(f"note: {plain(message_text(note))}", file=sys.stderr)
+        print(f"note: {message_text(note)}", file=sys.stderr)
     if arguments.json:
         print_json(asdict(english_values(found)))
         return
@@ -52,7 +51,7 @@ def check(arguments: Namespace) -> None:
             )
     print()
     for remark in found.in_words:
-        print(plain(message_text(remark)))
+        print(message_text(remark))
     for reason in found.not_compared:
         print(f"not compared: {message_text(reason)}")
 

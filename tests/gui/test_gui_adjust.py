@@ -185,7 +185,7 @@ def test_a_lever_arm_typed_wrong_is_found(picked: Driver):
     assert abs(found.value - truth[0]) < 4 * found.sigma
     assert abs(found.value - found.prior) > 5 * found.sigma
     shown = picked.window.results.parameters.text()
-    assert f"{found.value:+.4f} m".replace("-", "−") in shown
+    assert f"{found.value:+.4f}\u00a0m".replace("-", "−") in shown
     assert "significant" in shown
 
 

@@ -50,22 +50,6 @@ class Kind:
         written = number(value * self.scale, self.decimals, sign=signed).replace("-", "−")
         return f"{written}\N{NO-BREAK SPACE}{self.unit}"
 
-    def text(self, value: float, *, signed: bool = True) -> str:
-        """A figure in the unit shown with the sign of the base; `units.signs` puts the other."""
-        form = f"{'+' if signed else ''}.{self.decimals}f"
-        if self.unit in BASES:
-            return (
-                f"{units.figure(value * self.scale, BASES[self.unit], form)} {self.unit}".replace(
-                    "-", "−"
-                )
-            )
-        return f"{value * self.scale:{form}} {self.unit}".replace("-", "−")
-
-    @property
-    def bases(self) -> tuple[Base, ...]:
-        """Its unit, where the user may choose another."""
-        return (BASES[self.unit],) if self.unit in BASES else ()
-
 
 BASES: dict[str, Base] = {"m": "m", "°": "°"}
 _LIMITS_AND_TEXTS = {

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.gui import theme
+from lispac.gui.language import say_message
 from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
-from lispac.message_texts import message_text
 from lispac.project import Project
 
 NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
@@ -179,7 +179,7 @@ class Observability(FigurePage):
         assert observability is not None
         sigma = observability.eigenvalues**-0.5
         paragraphs = [
-            *map(message_text, observability.remarks),
+            *map(say_message, observability.remarks),
             gettext(
                 "Condition number {condition:x.1}: the σ of the weakest direction is {ratio:x.1} "
                 "times that of the strongest.",
