@@ -2,13 +2,19 @@
 
 import csv
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from lispac.design.objective import Objective
+from lispac.design.prediction import predict
+from lispac.design.search import Design, Step
+from lispac.design.site import Site
 from lispac.io.plan_file import read_plan
 from lispac.project import Project
+from lispac.workflow.designing import write_design
 from lispac.workflow.survey import Survey
 from tests.narrow_site import narrow_site
 from tests.test_cli import answer, refused, run
@@ -81,6 +87,19 @@ def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert "smallest standard deviation of yaw" in said
     assert "which is all there are" in said
     assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
+    plan = read_plan(PORT).plan
+    name = '=1+1, "a"'
+    plan = plan.with_targets([replace(plan.targets[0], name=name), *plan.targets[1:]])
+    design = Design(plan, predict(plan), 1e-3, True, 1, (), (Step(plan, 45.0, 1e-3),))
+    write_design(tmp_path, "Port", Site((0.0, -15.0, 0.0), 270.0), design, Objective())
+    with (tmp_path / "front.csv").open(newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert row["targets"] == f"'{name} T2"
+    assert row["lines"] == "6"
+    assert [each.name for each in read_plan(tmp_path / "plan.toml").plan.targets] == [name, "T2"]
 
 
 def test_limits_that_make_no_sense_are_refused(

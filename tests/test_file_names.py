@@ -25,6 +25,7 @@ def lispac(*arguments: object, **environment: str) -> subprocess.CompletedProces
 def test_a_name_that_is_not_utf_8_is_shown_with_replacements() -> None:
     assert printable(os.fsdecode(b"l\xff1.laz")) == "l\ufffd1.laz"
     assert printable("Käi.laz") == "Käi.laz"
+    assert printable("a\ud800b\udfff.laz") == "a\ufffdb\ufffd.laz"  # halves of pairs, no bytes
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "ascii"])

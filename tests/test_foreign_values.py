@@ -19,11 +19,13 @@ from lispac.errors import InputError, LispacError, ProjectError
 from lispac.foreign_values import InvalidContentError, as_cell, is_count, json_values, toml_values
 from lispac.io.files import written_whole
 from lispac.io.formats import format_of
-from lispac.io.project_file import FILE_NAME, read_project
-from lispac.io.toml_table import Table
+from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.toml_table import Table, quoted
 from lispac.project import Project, Settings
 from lispac.survey.store.layout import read_manifest, write_manifest
+from lispac.workflow.designing import write_scenarios
 from lispac.workflow.importing import import_lines, line_folder
+from lispac.workflow.simulate import replacement
 from lispac.workflow.survey import load_survey
 
 
@@ -160,6 +162,24 @@ def test_names_that_no_file_can_have_are_refused(tmp_path: Path, name: str) -> N
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("name", ["a\0b", "a\ud800b"])
+def test_names_that_no_folder_can_have_are_refused(
+    copy: Project, tmp_path: Path, name: str
+) -> None:
+    folder = tmp_path / "empty" / name
+    folder.parent.mkdir()
+    with pytest.raises(InputError) as refused:
+        write_project(replace(copy, folder=folder))
+    assert refused.value.code == "file.bad_name"
+    with pytest.raises(InputError) as refused, replacement(folder, "mark", "text", ()):
+        pass
+    assert refused.value.code == "file.bad_name"
+    with pytest.raises(InputError) as refused:
+        write_scenarios(folder, ())
+    assert refused.value.code == "file.bad_name"
+    assert not list(folder.parent.iterdir())
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no named pipes in folders")
 def test_nothing_is_written_in_the_place_of_a_pipe_or_folder(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.csv")
@@ -191,6 +211,20 @@ def test_amounts_that_no_option_can_have(text: str) -> None:
     for kind in (finite, within(1e-6, 100.0)):
         with pytest.raises(ArgumentTypeError):
             kind(text)
+
+
+@pytest.mark.parametrize("text", ["a\nb", "a\tb", "\x1b[31m", "a\x7fb", "a\u2028b", '"\\', "é 😀"])
+def test_texts_of_a_file_of_settings_have_one_line(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "plan.toml"
+    path.write_text(f"title = {quoted(text)}\n", encoding="utf-8")
+    assert toml_values(path.read_bytes()) == {"title": text}
+    with Table.read(path, "plan") as table:
+        if text.isprintable():
+            assert table.text("title") == text
+            return
+        with pytest.raises(InputError) as refused:
+            table.text("title")
+    assert refused.value.code == "toml.control_character"
 
 
 @pytest.mark.parametrize("value", ["1e-320", "1e300", "-1e300"])

@@ -85,7 +85,7 @@ FIELD = {"field": "timestamp", "size": "8"}
         ("pcd", "COUNT 1 1 1 1", "COUNT 1 1 1 0",
          "pcd.field_type", {**FIELD, "type": "F", "number": "0"}),
         ("pcd", "SIZE 8 8 8 8", "SIZE 8 8 8 x", "pcd.header_damaged",
-         {"reason": "invalid literal for int() with base 10: 'x'"}),
+         {"reason": "x"}),
         ("pcd", "x y z timestamp", "x y y timestamp", "pcd.duplicate_field", {}),
         ("pcd", "POINTS 2", "POINTS -2", "pcd.point_count", {"header": -2}),
         ("pcd", PCD[PCD.index("POINTS 2"):], "POINTS 0\nDATA ascii\n", "file.no_points", {}),

@@ -1,7 +1,9 @@
 """What the workflow refuses, in which words, and that nothing is lost by it."""
 
+import errno
 import json
 import math
+import os
 import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -15,12 +17,17 @@ import pytest
 from lispac.causes import Cause
 from lispac.doubles import doubts_of
 from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
+from lispac.io.files import require_file
+from lispac.io.project_file import read_project
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, error, note
 from lispac.project import LineSource, PickedSighting, Project, Settings
 from lispac.report.content import report_content
 from lispac.workflow import calibration, picking, projects
 from lispac.workflow.demo import make_demo
+from lispac.workflow.history import projects_in
+from lispac.workflow.projects import open_project
+from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 from tests.message_codes import codes
@@ -117,6 +124,58 @@ def test_missing_sighting_file_is_named(copy: Project) -> None:
         projects.open_project(copy.folder)
     assert refused.value.code == "project.points_missing"
     assert refused.value.message.params["target"] == "T1"
+
+
+def _forbidden(*_: object, **__: object) -> bool:
+    raise PermissionError(errno.EACCES, "Permission denied")
+
+
+def test_a_folder_without_permission_is_named(
+    copy: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project, survey = open_project(copy.folder), load_survey(copy)
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "is_file", _forbidden)
+        with pytest.raises(ProjectError) as refused:
+            read_project(copy.folder)
+        assert refused.value.code == "project.unreadable"
+        with pytest.raises(InputError) as denied:
+            save_project_as(project, survey, tmp_path / "other")
+        assert denied.value.code == "project_folder.not_writable"
+    points = Path.is_file
+    with monkeypatch.context() as patched:
+        patched.setattr(
+            Path,
+            "is_file",
+            lambda path: _forbidden() if path.suffix == ".npz" else points(path),
+        )
+        with pytest.raises(ProjectError) as refused:
+            read_project(copy.folder)
+        assert refused.value.code == "project.unreadable"
+        assert refused.value.message is not None
+        assert str(refused.value.message.params["file"]).endswith(".npz")
+    with monkeypatch.context() as patched:
+        patched.setattr(Path, "exists", _forbidden)
+        with pytest.raises(InputError) as denied:
+            require_file(tmp_path / "line.laz", "line")
+        assert denied.value.code == "file.no_permission"
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "access", lambda *_: False)
+        with pytest.raises(ProjectError) as refused:
+            projects_in([copy.folder])
+        assert refused.value.code == "history.no_permission"
+
+
+def test_a_disk_that_fails_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def failing(*_: object, **__: object) -> None:
+        raise OSError(errno.EIO, "Input/output error")  # of a read: it has no name of a file
+
+    path = tmp_path / "line.laz"
+    path.write_bytes(b"LASF")
+    monkeypatch.setattr("lispac.io.files.require_unpacked", failing)
+    with pytest.raises(InputError) as refused:
+        require_file(path, "line")
+    assert refused.value.code == "file.not_readable"
 
 
 @pytest.mark.parametrize("damage", ["{", "[]", "{}", '{"schema_version": 99}', "\x00"])

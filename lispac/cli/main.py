@@ -59,7 +59,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("lispac: not enough memory; use shorter lines.", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"lispac: {error.filename or 'a file'}: {error.strerror or error}.", file=sys.stderr)
+        file, reason = error.filename or "a file", error.strerror or error
+        check = "Check the path, the disk and the permissions."
+        print(f"lispac: {file}: {reason}. {check}", file=sys.stderr)
         return 1
     return 0
 

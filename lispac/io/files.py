@@ -66,19 +66,24 @@ def require_file(path: Path, what: str) -> Path:
     ------
     InputError
     """
-    path = Path(path)
+    path, kind = Path(path), kind_of_file(what)
     try:
         there = path.exists()
+    except PermissionError as failure:  # of a folder on the way
+        raise InputError(error("file.no_permission", file=str(path), kind=kind)) from failure
     except (OSError, ValueError):  # a name that is too long, or has a null character
         there = False
-    kind = kind_of_file(what)
     if not there:
         raise InputError(error("file.not_found", file=str(path), kind=kind))
     if not path.is_file():
         raise InputError(_not_a_file(path, kind))
     if not os.access(path, os.R_OK):
         raise InputError(error("file.no_permission", file=str(path), kind=kind))
-    require_unpacked(path, text=True)
+    try:
+        require_unpacked(path, text=True)
+    except OSError as failure:
+        reason = failure.strerror or str(failure)
+        raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
     return path
 
 
@@ -249,8 +254,8 @@ def written_whole(path: Path) -> Iterator[Path]:
         handle, name = tempfile.mkstemp(
             prefix=f".{path.stem}-", suffix=f"{TEMPORARY}{path.suffix}", dir=path.parent
         )
-    except ValueError as failure:  # a null character, or half of a pair of characters
-        raise InputError(error("file.bad_name", file=repr(str(path)))) from failure
+    except ValueError as failure:
+        raise bad_name(path) from failure
     except OSError as failure:
         remove_empty(made)
         raise not_written(path, failure) from failure
@@ -302,6 +307,11 @@ def _patience(path: Path) -> float:
     return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
 
 
+def bad_name(path: Path) -> InputError:
+    """Make the error of a name with a null character or half of a pair of characters."""
+    return InputError(error("file.bad_name", file=repr(str(path))))
+
+
 def not_written(path: Path, failure: OSError) -> InputError:
     """Make the error of a file that cannot be written."""
     reason = system_reason(failure)
@@ -315,5 +325,5 @@ def remove_empty(folders: list[Path]) -> None:
     for folder in folders:
         try:
             folder.rmdir()
-        except OSError:
+        except (OSError, ValueError):  # it holds something, or has a name that no folder can have
             return

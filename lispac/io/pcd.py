@@ -14,6 +14,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.foreign_values import LARGEST_INTEGER, is_count
 from lispac.io.point_counts import PointCounts
 from lispac.io.points import (
     CHUNK,
@@ -114,7 +115,7 @@ def _header(path: Path) -> tuple[Records, str]:
     if kind not in ("ascii", "binary", "binary_compressed"):
         raise InputError(error("pcd.data_kind", file=str(path), kind=kind[:20]))
     try:
-        dtype, count = _dtype(path, entries), int(entries["POINTS"][0])
+        dtype, count = _dtype(path, entries), _whole(entries["POINTS"][0])
     except ValueError as failure:
         raise InputError(
             error("pcd.header_damaged", file=str(path), reason=str(failure))
@@ -135,20 +136,33 @@ def _dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]:
     counts = entries.get("COUNT", ["1"] * len(names))
     fields: list[tuple[str, str] | tuple[str, str, tuple[int]]] = []
     for k, (name, size, kind, many) in enumerate(zip(names, sizes, kinds, counts, strict=True)):
-        number = int(many)
-        if (kind.upper(), int(size)) not in TYPES or not 1 <= number <= 4096:
+        number = _whole(many)
+        if (kind.upper(), _whole(size)) not in TYPES or not 1 <= number <= 4096:
             raise InputError(
                 error(
                     "pcd.field_type", file=str(path), field=name[:20], type=kind[:5],
                     size=size[:5], number=many[:9],
                 )
             )  # fmt: skip
-        own = TYPES[kind.upper(), int(size)]
+        own = TYPES[kind.upper(), _whole(size)]
         key = f"_{k}" if name == "_" else name  # padding has no name
         fields.append((key, own) if number == 1 else (key, own, (number,)))
     if len({field[0] for field in fields}) != len(fields):
         raise InputError(error("pcd.duplicate_field", file=str(path)))
     return np.dtype(fields)
+
+
+def _whole(text: str) -> int:
+    """A whole number of a header.
+
+    Raises
+    ------
+    ValueError
+        With the text, where it is none.
+    """
+    if not is_count(text.removeprefix("-"), LARGEST_INTEGER):
+        raise ValueError(text[:20])
+    return int(text)
 
 
 def _unpacked_count(records: Records) -> Records:

@@ -30,7 +30,7 @@ from lispac.errors import InputError, ProjectChanged, ProjectError, system_reaso
 from lispac.foreign_values import InvalidContentError, json_values
 from lispac.identity import Identity
 from lispac.io.consistency import require_consistent, require_single_names
-from lispac.io.files import not_written, remove_abandoned, remove_empty, written_whole
+from lispac.io.files import bad_name, not_written, remove_abandoned, remove_empty, written_whole
 from lispac.io.project_lock import FILE_NAME as FILE_NAME
 from lispac.io.project_lock import digest_of, project_lock
 from lispac.io.upgrades import SCHEMA_VERSION, upgraded
@@ -112,7 +112,10 @@ def _folder_made(folder: Path) -> Iterator[None]:
     """  # noqa: DOC501 - `not_written` makes an InputError
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except ValueError as failure:
+            raise bad_name(folder) from failure
         yield
     except OSError as failure:
         raise not_written(folder / FILE_NAME, failure) from failure
@@ -230,11 +233,15 @@ def project_folder(path: Path) -> Path:
     Raises
     ------
     ProjectError
-        Where there is no project.
-    """
+        Where there is no project, or it cannot be looked for.
+    """  # noqa: DOC501 - `_unreadable` makes a ProjectError
     path = Path(path)
-    folder = path.parent if is_project_file(path) else path
-    if not (folder / FILE_NAME).is_file():
+    try:
+        folder = path.parent if is_project_file(path) else path
+        is_project = (folder / FILE_NAME).is_file()
+    except OSError as failure:  # no permission to look into it, or too long a name
+        raise _unreadable(path, failure) from failure
+    if not is_project:
         raise ProjectError(error("project.not_found", folder=str(path), missing=FILE_NAME))
     return folder
 
@@ -247,20 +254,23 @@ def _read(path: Path) -> Project:
     Raises
     ------
     ProjectError
-    """
+    """  # noqa: DOC501 - `_unreadable` makes a ProjectError
     while True:
         try:
             content = path.read_bytes()
         except OSError as failure:
-            reason = system_reason(failure)
-            raise ProjectError(
-                error("project.unreadable", file=str(path), reason=reason)
-            ) from failure
+            raise _unreadable(path, failure) from failure
         try:
             return replace(_decoded(path, content), file_digest=digest_of(content))
         except ProjectError:
             if _digest_on_disk(path) in ("", digest_of(content)):
                 raise
+
+
+def _unreadable(path: Path, failure: OSError) -> ProjectError:
+    """Make the error of a project that cannot be read."""
+    reason = system_reason(failure)
+    return ProjectError(error("project.unreadable", file=str(path), reason=reason))
 
 
 def _decoded(path: Path, text: bytes, points: Points | None = None) -> Project:
@@ -479,9 +489,9 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
     ------
     ProjectError
     """  # noqa: DOC501 - its own InvalidContentError is caught
-    if not path.is_file():
-        raise ProjectError(error("project.points_missing", file=str(path), target=target))
     try:
+        if not path.is_file():
+            raise ProjectError(error("project.points_missing", file=str(path), target=target))
         # Opened here: numpy leaves a file open where it cannot make sense of it.
         with path.open("rb") as file, np.load(file) as arrays:
             found = []
@@ -504,6 +514,8 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
         raise ProjectError(
             error("project.points_damaged", file=str(path), target=target, reason=failure.reason)
         ) from failure
+    except PermissionError as failure:
+        raise _unreadable(path, failure) from failure
     except UNREADABLE as failure:
         reason = error("content.unreadable", reason=in_one_line(failure))
         raise ProjectError(

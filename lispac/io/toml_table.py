@@ -1,11 +1,13 @@
 """Tables of a TOML file, read key by key; errors name the file, the key and what to do."""
 
+import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
+from unicodedata import category
 
 from lispac.errors import InputError
 from lispac.foreign_values import (
@@ -22,6 +24,8 @@ NOTHING: Any = object()
 """No default: the key has to be there."""
 LONGEST_SHOWN = 60
 """Characters of a value in a message."""
+CONTROLS = ("Cc", "Zl", "Zp")
+"""Unicode categories of control characters and line breaks, which no name or title has."""
 
 
 class Table:
@@ -63,10 +67,14 @@ class Table:
         return InputError(Message(code, Level.ERROR, about))
 
     def text(self, key: str, default: Any = NOTHING) -> str:
-        """A string that is not empty."""
+        """A string of one line that is not empty."""
         value = self._value(key, default)
-        if value is not default and not (isinstance(value, str) and value.strip()):
+        if value is default:
+            return value
+        if not (isinstance(value, str) and value.strip()):
             raise self.refuse(key, "toml.not_text", value=_shown(value))
+        if any(category(letter) in CONTROLS for letter in value):
+            raise self.refuse(key, "toml.control_character", value=_shown(value))
         return value
 
     def choice(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
@@ -199,6 +207,5 @@ def _shown(value: Any) -> str:
 
 
 def quoted(text: str) -> str:
-    """A text of one line as TOML has it."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
+    """A text as a TOML string, which escapes control characters as JSON does."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -57,6 +57,10 @@ TEXTS: Mapping[str, Template] = {
     "content.unreadable": N_("The file cannot be read ({reason})."),
     # -- keys of a TOML file -------------------------------------------------------------------
     "toml.invalid": N_("{file}: the file cannot be used. {reason} Correct the file."),
+    "toml.control_character": N_(
+        "{file}: {key} is {value}, which has a line break or another control character. Write it "
+        "in one line."
+    ),
     "toml.not_text": N_(
         "{file}: {key} is {value}, but a text is needed. Put the text in quotation marks."
     ),

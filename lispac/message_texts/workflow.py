@@ -190,6 +190,9 @@ TEXTS: Mapping[str, Template] = {
         "{system}. Enter crs, sigma and other options of that check in the step project.check."
     ),
     "history.no_folder": N_("{folder}: there is no such folder."),
+    "history.no_permission": N_(
+        "{folder}: there is no permission to read this folder. Check its permissions."
+    ),
     "history.no_project": N_(
         "{folders:names}: there is no project in it. Give a folder that holds projects."
     ),

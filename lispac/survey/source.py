@@ -1,5 +1,6 @@
 """The files of a survey: where they are and how they are read."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,11 +11,14 @@ from lispac.survey.time_restart import as_written, counted_on
 
 RESTART = "restart"
 """Option of every format of points: where the times of a line start again."""
+OTHER_SURROGATES = re.compile(r"[\ud800-\udc7f\udd00-\udfff]")
+"""Halves of pairs of characters by which Python keeps no byte of a file name."""
 
 
 def printable(name: str) -> str:
     """A file name as text that can be shown and stored: bytes that are not UTF-8 are replaced."""
-    return name.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+    whole = OTHER_SURROGATES.sub("\ufffd", name)
+    return whole.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """Checks of a plan, and files of a survey design."""
 
+import csv
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -16,7 +17,8 @@ from lispac.design.scenarios import Outcome
 from lispac.design.search import Design, Mapper
 from lispac.design.site import Site, least_off, overlapping
 from lispac.errors import LispacError, RankDeficient, system_reason
-from lispac.io.files import written_whole
+from lispac.foreign_values import as_cell
+from lispac.io.files import bad_name, written_whole
 from lispac.io.plan_file import TitledPlan, write_plan
 from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
@@ -121,17 +123,17 @@ def write_design(
     figure = front_figure(design.front, CRITERIA[objective.criterion])
     with written_whole(folder / "front.svg") as temporary:
         figure.savefig(temporary, format="svg", metadata={"Date": None})
-    rows = ["minutes,value_deg,roll_deg,pitch_deg,yaw_deg,targets,lines"]
+    rows = [["minutes", "value_deg", "roll_deg", "pitch_deg", "yaw_deg", "targets", "lines"]]
     for step in design.front:
         sigma = np.degrees(predict(step.plan).sigma)
         names = " ".join(target.name for target in step.plan.targets)
-        rows.append(
-            f"{step.minutes:.1f},{np.degrees(step.value):.6f},"
-            + ",".join(f"{value:.6f}" for value in sigma)
-            + f",{names},{len(step.plan.lines)}"
-        )
-    with written_whole(folder / "front.csv") as temporary:
-        temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
+        numbers = (f"{step.minutes:.1f}", *(f"{v:.6f}" for v in (np.degrees(step.value), *sigma)))
+        rows.append([*numbers, as_cell(names), str(len(step.plan.lines))])
+    with (
+        written_whole(folder / "front.csv") as temporary,
+        temporary.open("w", encoding="utf-8", newline="") as file,
+    ):
+        csv.writer(file, lineterminator="\n").writerows(rows)
 
 
 def write_scenarios(folder: Path, found: Sequence[Outcome]) -> None:
@@ -162,6 +164,8 @@ def _made(folder: Path) -> Path:
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
+    except ValueError as failure:
+        raise bad_name(folder) from failure
     except OSError as failure:
         raise LispacError(
             error(

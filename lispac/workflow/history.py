@@ -1,5 +1,6 @@
 """The calibrations of a vessel's system over the years, from the projects that hold them."""
 
+import os
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -84,12 +85,14 @@ def projects_in(folders: Sequence[Path]) -> list[Path]:
     Raises
     ------
     ProjectError
-        One of them does not exist, or there is no project in any.
+        One of them does not exist or cannot be read, or there is no project in any.
     """
     found: dict[Path, None] = {}
     for folder in folders:
         if not folder.is_dir():
             raise ProjectError(error("history.no_folder", folder=str(folder)))
+        if not os.access(folder, os.R_OK | os.X_OK):
+            raise ProjectError(error("history.no_permission", folder=str(folder)))
         for file in sorted(folder.rglob("project.json")):
             found[file.parent] = None
     if not found:

@@ -59,12 +59,15 @@ def save_project_as(
         again since it was opened.
     InputError
         Where it cannot be written; nothing is left there then.
-    """
+    """  # noqa: DOC501 - `_not_writable` makes an InputError
     folder = Path(folder).absolute()
-    if (folder / FILE_NAME).exists():
-        raise ProjectError(error("project_folder.exists", folder=str(folder)))
-    if folder.is_file():
-        raise ProjectError(error("project_folder.is_file", folder=str(folder)))
+    try:
+        if (folder / FILE_NAME).exists():
+            raise ProjectError(error("project_folder.exists", folder=str(folder)))
+        if folder.is_file():
+            raise ProjectError(error("project_folder.is_file", folder=str(folder)))
+    except OSError as failure:  # no permission to look into it, or too long a name
+        raise _not_writable(folder, failure) from failure
     moved = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
     on_disk = {name: scan for name, scan in scans.items() if isinstance(scan, StoredLine)}
@@ -80,16 +83,15 @@ def save_project_as(
                 done += stored.manifest.bytes
                 _point_to(scans, clouds, name, replace(stored, folder=there))
         except OSError as failure:
-            raise InputError(
-                error(
-                    "project_folder.not_writable",
-                    folder=str(folder),
-                    reason=system_reason(failure),
-                )
-            ) from failure
+            raise _not_writable(folder, failure) from failure
         with _sightings_taken_back(folder):
             digest = write_project(moved, expected="")
     return replace(moved, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
+
+
+def _not_writable(folder: Path, failure: OSError) -> InputError:
+    reason = system_reason(failure)
+    return InputError(error("project_folder.not_writable", folder=str(folder), reason=reason))
 
 
 @contextmanager

@@ -13,7 +13,7 @@ import numpy as np
 
 from lispac.errors import InputError, ProjectError
 from lispac.foreign_values import json_values
-from lispac.io.files import not_written, remove_empty, written_whole
+from lispac.io.files import bad_name, not_written, remove_empty, written_whole
 from lispac.io.las import write_points
 from lispac.io.project_file import FILE_NAME, SIGHTINGS, remove_points
 from lispac.io.sbet import write_sbet, write_smrmsg
@@ -160,6 +160,8 @@ def replacement(folder: Path, marker: str, text: str, parts: Sequence[str] = ())
             if _UNFINISHED.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
                 shutil.rmtree(path, ignore_errors=True)  # of a run that was killed
         new = Path(mkdtemp(prefix=".survey-", suffix=".part", dir=folder))
+    except ValueError as failure:
+        raise bad_name(folder) from failure
     except OSError as failure:
         remove_empty(made)
         raise not_written(folder, failure) from failure
