@@ -154,12 +154,8 @@ def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
     }
     judged = proposing._judged_by(lines)
     assert judged.use == use
-    assert judged.words == {
-        0: "", 1: " Poor on L1: The beams meet it aslant.",
-        2: " Poor on L1 and L2: The beams meet it aslant.",
-        3: " Poor on L1, L2 and L3: The beams meet it aslant.",
-        4: " Poor on L1, L2, L3 and L4: The beams meet it aslant.",
-    }[poor]  # fmt: skip
+    assert judged.poor == tuple(lines)[:poor]
+    assert judged.reason == ("The beams meet it aslant." if poor else "")
 
 
 def test_with_ripples_alone_it_is_said_why_nothing_is_proposed() -> None:

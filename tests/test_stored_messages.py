@@ -1,5 +1,6 @@
 """Reasons in a project file are messages: they are shown in the language in use."""
 
+import json
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -7,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from lispac.causes import Cause
-from lispac.io.project_file import read_project, write_project
+from lispac.errors import ProjectError
+from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.messages import error, note
@@ -51,3 +53,36 @@ def test_a_sentence_of_a_former_project_stays(tmp_path: Path) -> None:
     text = "The line has no points within 4.5 m of the seed."
     assert reason == note("project.former_text", reason=text)
     assert message_text(reason) == text
+
+
+def test_results_of_a_former_project_have_its_sentences() -> None:
+    content = json.loads((DATA / "project-8" / FILE_NAME).read_text(encoding="utf-8"))
+    project = read_project(DATA / "project-8")
+    assert project.result is not None
+    assert project.result.observability is not None
+    assert project.cross_checks is not None
+    assert project.absolute is not None
+    former = content["result"]["observability"]["sentences"]
+    assert project.result.observability.remarks == tuple(
+        note("project.former_text", reason=text) for text in former
+    )
+    assert project.absolute.not_compared == tuple(
+        note("project.former_text", reason=text) for text in content["absolute"]["unseen"]
+    )
+    for part, before in zip(project.cross_checks.parts, content["cross_checks"]["parts"],
+                            strict=True):  # fmt: skip
+        text = before["reason"]
+        assert part.reason == (note("project.former_text", reason=text) if text else None)
+
+
+def test_a_message_with_an_unknown_code_is_refused(tmp_path: Path) -> None:
+    project = sample_project(tmp_path / "p")
+    write_project(project.with_validation(project.validation, {"V1": MISSING}))
+    path = project.folder / FILE_NAME
+    path.write_text(path.read_text().replace("finder.few_points", "finder.no_such_code"))
+    with pytest.raises(ProjectError) as raised:
+        read_project(project.folder)
+    assert raised.value.message is not None
+    assert raised.value.message.params["reason"] == error(
+        "content.unknown_message", code="finder.no_such_code"
+    )
