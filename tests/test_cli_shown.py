@@ -16,7 +16,7 @@ from lispac.installed import window_command
 from lispac.io.plan_file import read_plan
 from lispac.io.plane_file import write_plane_file
 from lispac.io.project_file import write_project
-from lispac.message_texts import message_text
+from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
 from lispac.picks import Target
 from lispac.report.budget_values import BeamErrors, Budget, ErrorSource, PointError
@@ -253,7 +253,7 @@ def test_a_budget_shows_what_nobody_knows(
     known = ErrorSource("POS position", (PointError(0.012, 0.02, 0.01, 0.03),))
     unknown = ErrorSource("Lever arm", None)
     beam = BeamErrors("level to starboard", (known, unknown), known, known)
-    found = Budget((50.0,), (beam,), ("So it is.",))
+    found = Budget((50.0,), (beam,), (note("budget.no_latency"),))
     monkeypatch.setattr(budget, "load_survey", lambda *_, **__: None)
     monkeypatch.setattr(budget, "budget_of", lambda *_, **__: None)
     monkeypatch.setattr(budget, "Budget", SimpleNamespace(of=lambda _: found))
@@ -263,7 +263,7 @@ def test_a_budget_shows_what_nobody_knows(
     assert rows[2].split() == ["POS", "position", "1.20", "2.00", "1.00"]
     assert rows[3].split() == ["Lever", "arm", "not", "known"]
     assert len(rows[3]) == len(rows[2])
-    assert rows[-1] == "So it is."
+    assert rows[-1] == english_text(note("budget.no_latency"))
 
 
 def test_a_row_for_each_distance_and_one_for_all_points(

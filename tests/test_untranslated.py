@@ -86,7 +86,6 @@ NOT_SHOWN: dict[str, set[str]] = {
         "who answers for the calibration",
     },
     "keys": {
-        "signs of roll and pitch",
         "str | tuple[str, Menu]",
         "text of a static scan",
     },

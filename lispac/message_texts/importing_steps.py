@@ -131,35 +131,6 @@ TEXTS: Mapping[str, Template] = {
     "time_base.given": N_("{base} (as given)"),
     "time_base.suggested": N_("{base} (as its values suggest)"),
     "time_base.of_file": N_("{base} (as read from the file)"),
-    "time_fit.none": N_(
-        "No known time base brings the points onto the trajectory: check that both are of the same "
-        "survey, or specify the time bases."
-    ),
-    "time_fit.as_is": N_(
-        "The point times fit the trajectory as they are, with {share:percent.1} % of the points "
-        "inside it."
-    ),
-    "time_fit.shifted": N_(
-        "Points in {points} fit the trajectory in {trajectory} after adding {shift:s.3} s, with "
-        "{share:percent.1} % of the points inside it."
-    ),
-    "time_fit.shifted_leap": N_(
-        "Points in {points} fit the trajectory in {trajectory} after adding {shift:s.3} s, with "
-        "{share:percent.1} % of the points inside it (with the leap seconds of today, "
-        "{leap_seconds:s.0} s, as neither file has a date)."
-    ),
-    "time_fit.rival": N_("{shift:s.3+} s for {points}"),
-    "time_fit.ambiguous": N_(
-        "{fit} From the times alone, a further shift of {rivals:choices} fits as well."
-    ),
-    "time_fit.ambiguous_base": N_(
-        "{fit} From the times alone, a further shift of {rivals:choices} fits as well. Specify the "
-        "time base of the points (option time_base)."
-    ),
-    "import.line_outside": N_(
-        "{file}: its points ({first:s.1} to {last:s.1} s) lie outside the trajectory ({start:s.1} "
-        "to {end:s.1} s). Check the date and the time base, or leave the line out. {fit}"
-    ),
     "time_base.not_possible": N_(
         "{file}: times from {first:s.3} to {last:s.3} s cannot be {base}, as given. Their values "
         "fit {keys:choices}. Give one of these time bases, or none."

@@ -11,30 +11,6 @@ TEXTS: Mapping[str, Template] = {
         "{line}: none of its {count:n} points lies within the trajectory ({start:s.1} to "
         "{end:s.1} s). Check the date and the time base, or leave the line out."
     ),
-    "export.left_out": N_(
-        "{file}: {outside:n} points outside the trajectory's time and {in_gaps:n} points in gaps "
-        "of the trajectory or where its pitch exceeds 80 deg are left out, of {count:n}."
-    ),
-    "export.left_out_outside": N_(
-        "{file}: {outside:n} points outside the trajectory's time are left out, of {count:n}."
-    ),
-    "export.left_out_in_gaps": N_(
-        "{file}: {in_gaps:n} points in gaps of the trajectory or where its pitch exceeds 80 deg "
-        "are left out, of {count:n}."
-    ),
-    "export.kept_points": N_(
-        "{line}: its file is missing. Points, attributes and the records of its header are those "
-        "kept at the import."
-    ),
-    "export.kept_points_only": N_(
-        "{line}: its file is missing. The points have all their attributes, but the other records "
-        "of its header, and the scaling and descriptions of its extra attributes, are not kept."
-    ),
-    "export.local_frame": N_("Coordinates are North, West and Up in metres in the local frame."),
-    "export.system_elsewhere": N_(
-        "{system} is meant for {area}, and the trajectory is at latitude {latitude:deg.1} deg, "
-        "longitude {longitude:deg.1} deg. Check it; {zone} is the UTM zone there."
-    ),
     "export.trajectory_datum": N_(
         "Latitude, longitude and height are as in {file}: in its datum and at its epoch, which the "
         "exported file does not specify."

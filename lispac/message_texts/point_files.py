@@ -55,7 +55,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "file.damaged": N_("{file}: cannot be read as {kind} ({reason}). Copy or export it again."),
     "file.disk_full": N_(
-        "{file}: cannot be written because the disk is full ({reason}). Make room on the disk, or "
+        "{file}: cannot be written because the disk is full. Make room on the disk, or "
         "choose another folder."
     ),
     "file.not_writable": N_("{file}: cannot be written ({reason}). Choose another folder."),

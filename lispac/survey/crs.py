@@ -82,7 +82,6 @@ class CoordinateSystem:
     _epoch: float | None
     _height_offset: float = 0.0
     frame: LocalFrame | None = None
-    warnings: tuple[Message, ...] = ()
 
     @property
     def name(self) -> str:

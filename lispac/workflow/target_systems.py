@@ -110,7 +110,7 @@ def chosen_system(
         raise InputError(error("export.no_system", zone=utm_zone(trajectory), local=LOCAL))
     _require_datum(trajectory_datum, epoch)
     found = coordinate_system(text, height=height, trajectory_datum=trajectory_datum, epoch=epoch)
-    return replace(found, warnings=_far_away(found, trajectory))
+    return replace(found, assumptions=(*found.assumptions, *_far_away(found, trajectory)))
 
 
 def _far_away(system: CoordinateSystem, trajectory: LocalTrajectory) -> tuple[Message, ...]:
