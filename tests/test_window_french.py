@@ -32,6 +32,8 @@ NOT_SAID = {
     "outside right center",
     # of types, and of a page that does not say how it shows a result
     "Quality | None", "str | tuple[str, Menu]", "7 does not say how it shows a result",
+    # keys of facts about a file
+    "Position north", "Position west", "Position up",
     # of names and numbers in a table
     "<td align='right'>&nbsp;&nbsp;<b>7</b></td>", "<td align='right'>&nbsp;&nbsp;7</td>",
 }  # fmt: skip
