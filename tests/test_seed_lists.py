@@ -67,7 +67,7 @@ def test_a_list_gives_what_single_picks_give(
         f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
         "the reason. The others are saved."
     )
-    assert "note: columns as named: name, north, west, up" in err
+    assert "note: Columns as named: name, north, west and up." in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
     assert set(table) == {"T1", "T2", "V1", "Lost"}
     assert "6 of 6" in table["T1"]
@@ -98,7 +98,7 @@ def test_in_a_coordinate_system_as_json(
     assert "row 1: B0: " in str(refusal)
     code, out, err = run(capsys, *words, "--columns", "name,y,x,z", "--role", "target", "--json")
     assert code == 0, err
-    assert "coordinates in WGS 84 / UTM zone 18N (EPSG:32618)" in err
+    assert "The coordinates are in WGS 84 / UTM zone 18N (EPSG:32618)." in err
     found: list[dict[str, Any]] = json.loads(out)["seeds"]
     np.testing.assert_allclose([seed["seed_m"] for seed in found], places, atol=2e-4)
     assert all(len(seed["lines"]) == 6 for seed in found)

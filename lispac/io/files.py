@@ -316,7 +316,7 @@ def not_written(path: Path, failure: OSError) -> InputError:
     """Make the error of a file that cannot be written."""
     reason = system_reason(failure)
     if failure.errno in (errno.ENOSPC, errno.EDQUOT):
-        return InputError(error("file.disk_full", file=str(path), reason=reason))
+        return InputError(error("file.disk_full", file=str(path)))
     return InputError(error("file.not_writable", file=str(path), reason=reason))
 
 

@@ -45,7 +45,7 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert dialog.request().system == "local"
     assert "North, West and Up" in dialog.said.text()
     dialog.system.setCurrentIndex(0)
-    assert "not shifted to another datum" in dialog.said.text()
+    assert "Nothing is moved to another datum" in dialog.said.text()
     assert "at the epoch of the trajectory" in dialog.said.text()
     dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
     assert dialog.said.isVisible()
@@ -165,7 +165,7 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     dialog.epoch.clear()
     dialog._judge()
     assert dialog.request().trajectory_datum == ""
-    assert "not shifted" in dialog.said.text()
+    assert "Nothing is moved to another datum" in dialog.said.text()
 
 
 def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path: Path) -> None:
