@@ -9,7 +9,7 @@ import pytest
 from lispac.reverse_translation.translation import Translator
 from tests.said import FRENCH, covered
 from tests.test_bad_input import rows
-from tests.told import PLACE, progress_texts, told
+from tests.told import told
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
 MODULES = sorted(
@@ -74,20 +74,6 @@ NOT_SAID: dict[str, set[str]] = {
         "Built-in survey; each run of the demo replaces it.\n",
         "Simulated survey; each simulation replaces it.\n",
     },
-    "the tables beside the figures of a study of visibility, and the command line's of them": {
-        "The choice of table 3.2 lies near the board that faces the beams (-20 deg here), where a "
-        "roll error moves points along it. Appendix C.2.1 names -40 and then 30 deg for the same "
-        "figure; 30 is the upper end of what it keeps, and so is the best here",
-        "With the scanner along the body axes this offset is a roll, to the last digit; the thesis "
-        "has -40 deg for the one, -50 for the other, and 30 in appendix C.2.7, where the error is "
-        "1 and not 2 deg",
-        "Table 3.2 chooses an inclination that appendix C.2.6 does not keep (-40 to 10 deg). At "
-        "-60 deg parallel and diagonal lines meet the board at nearly equal angles, so that the "
-        "offset shifts both alike",
-        "A board that leans back shows roll more than an upright one, since beams climb to it by "
-        "18 deg; the thesis considers 0 to 90 deg only, and of these the upright one is best here "
-        "too",
-    },
     "the script of a project, and what its comments say, which is Python with English names": {
         "folder / 7.json",
         "folder / 7.pdf",
@@ -108,12 +94,6 @@ NOT_SAID: dict[str, set[str]] = {
         "tower leg", "tower base", "tower cabin", "south quay",
         "7, north face", "7, east face", "7, south face", "7, west face",
     },
-    "names of other programs": {
-        "NovAtel Inertial Explorer, SPAN",
-        "PDAL filters.georeference (scan2imu)",
-        "StripAlign (NED attitude, *)",
-        "RIEGL RiPROCESS",
-    },
     "the language of PROJ": {'+proj=vgridshift +grids="7" +multiplier=1'},
     "words of matplotlib": {
         "upper right", "axes fraction", "offset points", "outside upper right",
@@ -132,18 +112,6 @@ UNSAID = set(chain.from_iterable(NOT_SAID.values()))
 def test_what_the_core_tells_can_be_said_in_french(module: str) -> None:
     found = told(ROOT / module, at_once=True)
     assert [(line, text) for line, text in found if text not in UNSAID and not covered(text)] == []
-
-
-def test_progress_messages_have_a_whole_french_translation() -> None:
-    """Whole: the beginning of a longer English text is no translation of a message."""
-    texts = [text for module in MODULES for _, text in progress_texts(ROOT / module)]
-    assert len(texts) > 50
-    untranslated = []
-    for text in texts:
-        say = Translator(FRENCH, {PLACE})
-        say(text)
-        untranslated += say.unknown
-    assert untranslated == []
 
 
 def test_what_is_not_said_is_there_and_not_translated() -> None:

@@ -14,7 +14,7 @@ from lispac.gui.design import told
 from lispac.gui.design.following import Following, Said
 from lispac.gui.design.told import Told
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.language import leave_plan_alone
+from lispac.gui.language import leave_plan_alone, say_message
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, current_language, gettext, number
@@ -166,7 +166,7 @@ class ResultsPanel(QScrollArea):
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
-        self.words.setText("\n".join(map(message_text, said.remarks)))
+        self.words.setText("\n".join(map(say_message, said.remarks)))
         for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
             self.thesis[angle].setText(sigma)
 
