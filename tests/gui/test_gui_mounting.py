@@ -95,7 +95,7 @@ def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) ->
     assert port[0] < -5 < 5 < starboard[0]
     assert port[1] == pytest.approx(starboard[1], abs=0.6)
     words = opened.window.data.mounting.words.text()
-    assert "1.2 m to starboard of" in words
+    assert "1.200\u00a0m to starboard of" in words
     assert sketch.accessibleDescription() == words
 
 
