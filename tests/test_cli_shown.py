@@ -16,8 +16,9 @@ from lispac.installed import window_command
 from lispac.io.plan_file import read_plan
 from lispac.io.plane_file import write_plane_file
 from lispac.io.project_file import write_project
+from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
-from lispac.messages import as_message
+from lispac.messages import as_message, note
 from lispac.picks import Target
 from lispac.report.budget_values import BeamErrors, Budget, ErrorSource, PointError
 from lispac.simulation.thesis_site import MARINE
@@ -250,10 +251,10 @@ def test_a_matrix_has_no_angles_to_show(capsys: pytest.CaptureFixture[str], tmp_
 def test_a_budget_shows_what_nobody_knows(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    known = ErrorSource("POS position", (PointError(0.012, 0.02, 0.01, 0.03),))
-    unknown = ErrorSource("Lever arm", None)
-    beam = BeamErrors("level to starboard", (known, unknown), known, known)
-    found = Budget((50.0,), (beam,), ("So it is.",))
+    known = ErrorSource(gettext_lazy("POS position"), (PointError(0.012, 0.02, 0.01, 0.03),))
+    unknown = ErrorSource(gettext_lazy("Lever arm"), None)
+    beam = BeamErrors(gettext_lazy("level to starboard"), (known, unknown), known, known)
+    found = Budget((50.0,), (beam,), (note("budget.no_latency"),))
     monkeypatch.setattr(budget, "load_survey", lambda *_, **__: None)
     monkeypatch.setattr(budget, "budget_of", lambda *_, **__: None)
     monkeypatch.setattr(budget, "Budget", SimpleNamespace(of=lambda _: found))
@@ -263,7 +264,7 @@ def test_a_budget_shows_what_nobody_knows(
     assert rows[2].split() == ["POS", "position", "1.20", "2.00", "1.00"]
     assert rows[3].split() == ["Lever", "arm", "not", "known"]
     assert len(rows[3]) == len(rows[2])
-    assert rows[-1] == "So it is."
+    assert rows[-1] == message_text(note("budget.no_latency"))
 
 
 def test_a_row_for_each_distance_and_one_for_all_points(

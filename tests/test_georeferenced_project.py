@@ -282,7 +282,7 @@ def test_from_the_command_line(
     assert main([*words, "--crs", "local"]) == 0
     out, err = capsys.readouterr()
     assert out.split("\n")[1] == f"{tmp_path / 'out' / 'L2_prior.laz'}  {COUNT} points"
-    assert "North, West, Up" in err
+    assert "North, West and Up" in err
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])

@@ -5,6 +5,7 @@ from argparse import Namespace
 from dataclasses import asdict
 
 from lispac.cli.console import print_json
+from lispac.message_texts import message_text
 from lispac.workflow.sensors import library, origin_of, own_sensors
 
 
@@ -13,7 +14,7 @@ def sensors(arguments: Namespace) -> None:
     folder = own_sensors()
     found = library(folder)
     for remark in found.remarks:
-        print(f"note: {remark}", file=sys.stderr)
+        print(f"note: {message_text(remark)}", file=sys.stderr)
     if arguments.json:
         print_json(
             {

@@ -210,7 +210,7 @@ def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
     page.lever_arm.fields[1].selectAll()
     qtbot.keyClicks(page.lever_arm.fields[1], "-0.8")
     assert offsets(page.view.sketch, "above")[0] == pytest.approx(0.8)
-    assert "0.8 m to starboard" in page.view.words.text()
+    assert "0.800\u00a0m to starboard" in page.view.words.text()
 
 
 @pytest.mark.parametrize("size", [(1326, 708), (1240, 840)])
