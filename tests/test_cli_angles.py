@@ -306,7 +306,9 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     text = said(capsys, *words, "--lever", 0.1, 0.3, -2.4)
     assert "new X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
     assert "replaces that of the present matrix" in text
-    assert "moved by the present 4x4" in " ".join(said(capsys, *words, "--current-applied").split())
+    assert "shifted by the present 4x4" in " ".join(
+        said(capsys, *words, "--current-applied").split()
+    )
 
 
 def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> None:

@@ -39,14 +39,6 @@ def told(
         yield from _in(each, at_once)
 
 
-def progress_texts(path: Path) -> Iterator[tuple[int, str]]:
-    """Line and text of each message of a progress bar, `PLACE` where values go."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Call) and _name(node) in NEVER_CALLED:
-            for argument in (*node.args, *(each.value for each in node.keywords)):
-                yield from _beside_a_bar(argument)
-
-
 def _in(node: ast.AST, at_once: bool) -> Iterator[tuple[int, str]]:
     if isinstance(node, ast.Raise) and _name(node.exc) in (
         FOR_PROGRAMMERS if at_once else NEVER_SHOWN

@@ -19,7 +19,7 @@ from lazrs import LazrsError
 from numpy.typing import NDArray
 
 from lispac import __version__
-from lispac.errors import InputError
+from lispac.errors import InputError, system_reason
 from lispac.geometry.frames import LocalFrame
 from lispac.io.cloud_record import CloudRecord
 from lispac.io.las_chunks import MIXED_UP, PackedColumns
@@ -392,10 +392,8 @@ def cloud_file(
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
     except (LazrsError, OSError, LaspyException) as failure:
-        said = failure.strerror if isinstance(failure, OSError) else ""
-        raise InputError(
-            error("las.not_writable", file=str(shown), reason=said or str(failure))
-        ) from failure
+        reason = system_reason(failure) if isinstance(failure, OSError) else str(failure)
+        raise InputError(error("las.not_writable", file=str(shown), reason=reason)) from failure
 
 
 def steps(system: CoordinateSystem | None) -> NDArray[np.float64]:

@@ -40,33 +40,33 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- further line ------------------------------------------------------------------------------
     "further_line.port": N_(
-        "A further line at heading {heading:deg.0} deg, with the centre of the targets "
-        "{distance:m.1} m to port, would lower the sigma of {angle} from {now:deg.3} to "
+        "A further line headed {heading:deg.0} deg, with the middle of the targets "
+        "{distance:m.1} m to port, would bring the sigma of {angle} from {now:deg.3} to "
         "{then:deg.3} deg."
     ),
     "further_line.starboard": N_(
-        "A further line at heading {heading:deg.0} deg, with the centre of the targets "
-        "{distance:m.1} m to starboard, would lower the sigma of {angle} from {now:deg.3} to "
+        "A further line headed {heading:deg.0} deg, with the middle of the targets "
+        "{distance:m.1} m to starboard, would bring the sigma of {angle} from {now:deg.3} to "
         "{then:deg.3} deg."
     ),
     "further_line.port_of_face": N_(
-        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
-        "with the centre of the targets {distance:m.1} m to port, would lower the sigma of {angle} "
-        "from {now:deg.3} to {then:deg.3} deg."
+        "A further line headed {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
+        "with the middle of the targets {distance:m.1} m to port, would bring the sigma of "
+        "{angle} from {now:deg.3} to {then:deg.3} deg."
     ),
     "further_line.starboard_of_face": N_(
-        "A further line at heading {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
-        "with the centre of the targets {distance:m.1} m to starboard, would lower the sigma of "
+        "A further line headed {heading:deg.0} deg ({off:deg.0} deg off the face of {target}), "
+        "with the middle of the targets {distance:m.1} m to starboard, would bring the sigma of "
         "{angle} from {now:deg.3} to {then:deg.3} deg."
     ),
     "further_line.insufficient": N_(
-        "No single further line past these targets, {distance:m.1} m from their centre, would "
-        "lower the sigma of {angle} from {now:deg.3} below {limit:deg.3} deg. Add targets "
-        "elsewhere, or repeat the survey later, when the POS error is different."
+        "No single further line past these targets, {distance:m.1} m from their middle, would "
+        "bring the sigma of {angle} from {now:deg.3} below {limit:deg.3} deg; targets elsewhere, "
+        "or the survey repeated later, when the POS error is another one, would."
     ),
     "further_line.prior": N_(
-        "The sigma of {angle} is mostly that of the given {parameters:names}; no further line "
-        "lowers it."
+        "The sigma of {angle} is mostly that of the stated {parameters:names}, and no further "
+        "line lowers it."
     ),
     # -- survey design -----------------------------------------------------------------------------
     "design.undetermined": N_(

@@ -4,8 +4,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from lispac.language import N_
+
 Page = Literal["a4", "letter"]
-PAGES: dict[Page, str] = {"a4": "A4", "letter": "Letter"}
+PAGES: dict[Page, str] = {"a4": "A4", "letter": N_("Letter")}
 """Sizes of paper with their names."""
 
 

@@ -40,7 +40,7 @@ MRAD, MINUTE = 180 / math.pi / 1000, 1 / 60
 """Degrees."""
 SOON_MS = 20_000
 METRIC_FOR_ALL = (
-    "with the middle of the targets \\d+ m to (port|starboard)",  # sentences of the core
+    "with the middle of the targets [.\\d]+ m to (port|starboard)",  # sentences of the core
     "has no points within [.\\d]+ m of the seed",
     "^Lever arm in that program, from the POS centre: ",  # typed into a program that is metric
     "4x4 with the lever arm in metres$",

@@ -138,7 +138,9 @@ class ReportPanel(QWidget):
         self.lines.allow(data_ready and not busy)
 
     def _choices(self) -> QFormLayout:
-        self.page = widgets.Choice("report_page", list(PAGES.values()), gettext("Paper size"))
+        self.page = widgets.Choice(
+            "report_page", list(map(gettext, PAGES.values())), gettext("Paper size")
+        )
         self.language = widgets.Choice(
             "report_language", [gettext("Same as window"), *LANGUAGES.values()],
             gettext("Language of the report. JSON is always in English."),
