@@ -164,7 +164,7 @@ class ResultsPanel(QScrollArea):
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
-        self.words.setText("\n".join(map(say_message, said.remarks)))
+        self.words.setText("\n".join(map(message_text, said.remarks)))
         for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
             self.thesis[angle].setText(sigma)
 
