@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.panels.histograms import preload
 from lispac.installed import home_folder
 from lispac.language import N_, gettext
-from lispac.message_texts import note_text
+from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.progress import Progress, part
 from lispac.project import Project
@@ -92,7 +92,7 @@ class Studies(QObject):
             found, notes = checked
             self._document.edit(N_("check against {file}"), found, file=request.path.name)
             for note in notes:
-                self._controller.noted.emit(note_text(note))
+                self._controller.noted.emit(message_text(note))
             assert found.absolute is not None
             self._dialogs.checked(Absolute.of(found.absolute))
 
