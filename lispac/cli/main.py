@@ -4,6 +4,7 @@ A list of seeds of which some led to no target ends with 1 too; the others are s
 """
 
 import os
+import re
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -15,6 +16,9 @@ from lispac.cli.parser import build_parser
 from lispac.cli.values import plain_numbers
 from lispac.errors import Cancelled, LispacError
 from lispac.message_texts import message_text
+
+CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
+"""Control characters besides tab and end of line, and those that change the writing direction."""
 
 
 def run(argv: Sequence[str] | None = None) -> None:
@@ -37,11 +41,23 @@ def run(argv: Sequence[str] | None = None) -> None:
     getattr(module, arguments.command)(arguments)
 
 
+def _escape_control_characters(stream: TextIOWrapper) -> None:
+    """Escape those of names of files and columns, which could steer the terminal."""
+    write = stream.write
+    stream.write = lambda text: write(CONTROL.sub(_escaped, text))  # type: ignore[method-assign]
+
+
+def _escaped(found: re.Match[str]) -> str:
+    return found.group().encode("unicode_escape").decode()
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; errors the user can act on become one line on stderr."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):  # a terminal may lack letters of a name
             stream.reconfigure(errors="backslashreplace")
+            if stream.isatty():
+                _escape_control_characters(stream)
     try:
         run(argv)
     except UsageError as error:

@@ -418,7 +418,11 @@ def _decode_result(content: Any) -> AdjustmentResult:
         or len(result.estimated) < len(ANGLES)
         or not {each.target for each in sightings} <= targets
         or not {each.sighting for each in result.reliability} <= sightings
-        or any(each is not None and each.shape != (3,) for each in without_line.values())
+        or any(
+            each is not None and not (each.shape == (3,) and (each >= 0).all())
+            for each in without_line.values()
+        )
+        or not (np.diagonal(result.covariance_all) >= 0).all()
     ):
         raise InvalidContentError(error("content.inconsistent_result"))
     return result

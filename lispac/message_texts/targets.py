@@ -63,8 +63,9 @@ TEXTS: Mapping[str, Template] = {
         "No points lie within {radius:m} m of {place}. The nearest is {distance:m.2} m away. Move "
         "the seed, or increase the search radius."
     ),
-    "finder.line_without_points": N_(
-        "The line has no points, and so none within {radius:m} m of {place}."
+    "finder.no_points_near": N_(
+        "No points lie within {radius:m} m of {place}. Move the seed, or increase the search "
+        "radius."
     ),
     "finder.no_plane": N_("No plane fits the points around {place} within {threshold:mm} mm."),
     "finder.plane_few_points": Plural(

@@ -188,7 +188,7 @@ def neighbourhood(
             raise PlaneNotFound(
                 error("finder.no_points", radius=radius, distance=float(distance), place=place)
             )
-        raise PlaneNotFound(error("finder.line_without_points", radius=radius, place=place))
+        raise PlaneNotFound(error("finder.no_points_near", radius=radius, place=place))
     points = points_local[near]
     squared = ((points - centre) ** 2).sum(axis=1)
     order = np.argsort(squared)

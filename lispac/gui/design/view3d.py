@@ -95,7 +95,9 @@ class View3D(QObject):
         if self._work.target < 0:
             self._work.add_target(place=(along, up))
         else:
-            self._work.change_target("hang target", lambda each: replace(each, along=along, up=up))
+            self._work.change_target(
+                gettext_lazy("Move target"), lambda each: replace(each, along=along, up=up)
+            )
 
     def _drag(self, name: str, handle: int, metres: float) -> None:
         if self._lost or name != f"target {self._work.target}":
