@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.gui import theme
-from lispac.gui.language import say_message
 from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
