@@ -20,6 +20,7 @@ from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
+from lispac.message_texts import message_text
 from lispac.project import Project
 
 NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
@@ -178,7 +179,7 @@ class Observability(FigurePage):
         assert observability is not None
         sigma = observability.eigenvalues**-0.5
         paragraphs = [
-            *map(say_message, observability.remarks),
+            *map(message_text, observability.remarks),
             gettext(
                 "Condition number {condition:x.1}: the σ of the weakest direction is {ratio:x.1} "
                 "times that of the strongest.",

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
 
 from lispac.gui.panels import quantities, widgets
+from lispac.gui.panels.number_field import NumberField
 from lispac.language import N_, gettext
 from lispac.patchtest.optimise import ANGLES
 
@@ -43,7 +44,7 @@ class PatchAngles(QWidget):
         self._start = np.zeros(3)
         self._boresight = np.zeros(3)
         self.sliders: list[QSlider] = []
-        self.fields: list[widgets.NumberField] = []
+        self.fields: list[NumberField] = []
         self.finds: list[widgets.Button] = []
         self.found = [
             widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found") for angle in ANGLES
