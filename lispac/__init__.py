@@ -28,10 +28,10 @@ if TYPE_CHECKING:
     from lispac.picks import PickedSighting as PickedSighting
     from lispac.picks import Target as Target
     from lispac.project import Settings as Settings
-    from lispac.scripting.making import demo as demo
-    from lispac.scripting.making import new as new
-    from lispac.scripting.making import open as open
     from lispac.scripting.open_project import OpenProject as OpenProject
+    from lispac.scripting.projects import demo as demo
+    from lispac.scripting.projects import new as new
+    from lispac.scripting.projects import open as open
     from lispac.survey.source import LineSource as LineSource
     from lispac.survey.source import Reading as Reading
     from lispac.targets.expected import ExpectedTarget as ExpectedTarget
@@ -54,9 +54,9 @@ _WHERE = {
     "Settings": "lispac.project",
     "Target": "lispac.picks",
     "batch": "lispac.workflow.batch",
-    "demo": "lispac.scripting.making",
-    "new": "lispac.scripting.making",
-    "open": "lispac.scripting.making",
+    "demo": "lispac.scripting.projects",
+    "new": "lispac.scripting.projects",
+    "open": "lispac.scripting.projects",
     "point_numbers": "lispac.workflow.point_numbers",
 }
 

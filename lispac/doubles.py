@@ -12,8 +12,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.doubts import doubts
-from lispac.adjustment.doubts_of_causes import SAME_ON_LINES, effect_of
+from lispac.adjustment.cause_warnings import SAME_ON_LINES, effect_of
+from lispac.adjustment.warnings import doubts
 from lispac.causes import RESULT, Cause
 from lispac.messages import Level, Message, Value, note, shortened, warning
 from lispac.picks import PickedSighting, Target

@@ -24,7 +24,7 @@ NAMES: Mapping[str, str] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class MethodResult:
     """What one method says.
 
     Attributes
@@ -50,13 +50,13 @@ class Answer:
         return self.calibration.name
 
 
-def answers(project: Project) -> tuple[Answer, ...]:
+def answers(project: Project) -> tuple[MethodResult, ...]:
     """The answers that there are, that of the targets first; each is held against the first."""
-    found: list[Answer] = []
+    found: list[MethodResult] = []
 
     def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:
         against = difference(found[0].calibration, said) if found else None
-        found.append(Answer(said, lines, surfaces, against, remarks))
+        found.append(MethodResult(said, lines, surfaces, against, remarks))
 
     result = project.result
     if result is not None:
@@ -78,7 +78,7 @@ def missing(project: Project) -> tuple[Method, ...]:
     return tuple(method for method in METHODS if project.opinion(method) is None)
 
 
-def remarks_on(found: tuple[Answer, ...]) -> tuple[Message, ...]:
+def remarks_on(found: tuple[MethodResult, ...]) -> tuple[Message, ...]:
     """Whether the methods agree, one remark for each but the first, and what limits this."""
     if len(found) < 2:
         return ()

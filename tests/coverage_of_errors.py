@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from lispac.adjustment.averaging import averaged
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
+from lispac.adjustment.warnings import doubts
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Settings
 from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses

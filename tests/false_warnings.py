@@ -20,16 +20,16 @@ import numpy as np
 
 from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.solver import adjust
+from lispac.adjustment.warnings import doubts
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.message_texts import message_text
 from lispac.simulation.closed_form import exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.workflow.calibration import estimate
 from lispac.workflow.picking import pick
-from lispac.workflow.proposing import propose
+from lispac.workflow.proposals import propose
 from lispac.workflow.simulate import TARGETS as TARGETS_LIST
 from lispac.workflow.simulate import simulate
 from lispac.workflow.simulated_setup import simulation

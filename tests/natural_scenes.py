@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.doubts import doubts
+from lispac.adjustment.warnings import doubts
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.project import Project
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
@@ -24,7 +24,7 @@ from lispac.simulation.survey import LEVER_ARM
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.calibration import estimate
-from lispac.workflow.proposing import propose
+from lispac.workflow.proposals import propose
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 

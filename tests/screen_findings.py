@@ -18,7 +18,7 @@ from lispac.simulation.visibility_study import Visibility, visibility
 from lispac.workflow.absolute import check_absolute
 from lispac.workflow.budget import budget_of
 from lispac.workflow.history import History, histories
-from lispac.workflow.proposing import Proposal, propose
+from lispac.workflow.proposals import Proposal, propose
 from lispac.workflow.seed_lists import Outcome, pick_seeds, read_seeds
 from lispac.workflow.subsampling import USUAL, Subsampled, subsampling_study
 from lispac.workflow.survey import Survey

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QTabWidget, QWidget
 
 from lispac.errors import InputError
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.diagnostics import TITLE as DIAGNOSTICS
 from lispac.gui.panels.section import TITLE as SECTION
@@ -26,7 +27,6 @@ from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.status import STEPS
 from lispac.gui.tasks import TaskRunner
-from lispac.gui.turns import Turn
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.vtk import VtkViewport
 from lispac.workflow.demo import run_demo
@@ -78,7 +78,7 @@ class Photographer:
         while time.monotonic() < end:
             self._application.processEvents()
             time.sleep(0.01)
-            drawn = not any(turn.isActive() for turn in self.window.findChildren(Turn))
+            drawn = not any(turn.isActive() for turn in self.window.findChildren(IdleTask))
             if self.window.runner.active or not drawn:
                 end = time.monotonic() + seconds
 

@@ -11,12 +11,12 @@ from lispac.errors import Cancelled, LispacError
 from lispac.messages import Message
 from lispac.progress import Progress, Step
 from lispac.survey.store import columns, merging, ordering, pieces, spool
-from lispac.survey.store.layout import Manifest, Original
+from lispac.survey.store.layout import Manifest, SourceFile
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, write_store
 
-ORIGINAL = Original("a.las", 1, 2, "c")
+ORIGINAL = SourceFile("a.las", 1, 2, "c")
 RECIPE = Recipe("L1", ORIGINAL, {}, {})
 
 

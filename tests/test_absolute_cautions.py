@@ -16,9 +16,9 @@ from lispac.validation.absolute import (
     ALL_LINES,
     AbsoluteCheck,
     AbsoluteState,
-    Explained,
     LineCheck,
     PointCheck,
+    SigmaSources,
 )
 from lispac.validation.results import DistanceStatistics, SignedStatistics
 from tests.report_sample import sample_content, sample_project
@@ -37,7 +37,7 @@ def check(
     """
 
     def state(mean: float) -> AbsoluteState:
-        known = Explained(0.0, SIGMA, 0.0, 0.0)
+        known = SigmaSources(0.0, SIGMA, 0.0, 0.0)
         far = replace(DistanceStatistics.of(np.full(50, rms)), rms=rms)
         return AbsoluteState(far, SignedStatistics(50, mean, mean, rms, 0.0, 0.0), known, known)
 

@@ -9,14 +9,13 @@ from threadpoolctl import threadpool_info, threadpool_limits
 from lispac.adjustment import iteration, scatter, solver
 from lispac.adjustment.blas import one_thread
 from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
+from lispac.adjustment.chunks import in_chunks
 from lispac.adjustment.components import _Likelihood, surface_sigma
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observability import require_determined
 from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.omitted import contradictions
+from lispac.adjustment.omitted_parameters import contradictions
 from lispac.adjustment.parameters import SWITCHED, Parameter
-from lispac.adjustment.passes import in_chunks
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.robust import Loss
 from lispac.adjustment.scatter import excess_variance, with_scatter
@@ -24,6 +23,7 @@ from lispac.adjustment.shapes import fit_shapes
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import doubts
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import note
 from lispac.simulation.closed_form import Ball, Board, exact_survey, observed, six_courses

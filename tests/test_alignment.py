@@ -13,8 +13,8 @@ from lispac.survey.scan import Scan
 from lispac.targets.alignment import Alignment, align
 from lispac.workflow.picking import find
 from lispac.workflow.qualities import judge_target
-from lispac.workflow.seeking import Place
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_search import Place
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder import SharedSurvey
 

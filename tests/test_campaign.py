@@ -33,7 +33,7 @@ from lispac.workflow import cluster as cluster_module
 from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
 from lispac.workflow.cluster import cluster_of
 from lispac.workflow.cluster_access import ClusterAccess
-from lispac.workflow.designing import headline
+from lispac.workflow.plan_checks import headline
 from tests.clusters import Clusters
 from tests.command_errors import command_error
 from tests.error_codes import has_code

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.averaging import averaged
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import doubts
 from lispac.io.values import decoded, encoded
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import warning

@@ -19,8 +19,8 @@ from lispac.targets.settings import USUAL, FinderChoices, FinderSettings
 from lispac.workflow import reselection
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.picking import find
-from lispac.workflow.seeking import Sought
 from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.target_search import TargetSearch
 from tests.report_sample import sample_project
 
 SEED = demo_seeds()["T1"][1]
@@ -79,13 +79,13 @@ def test_points_are_selected_again_with_them(
 ) -> None:
     target = find(demo_project, survey, SEED, name="T1", choices=CHOSEN)
     used: list[FinderSettings] = []
-    real = Sought.in_lines
+    real = TargetSearch.in_lines
 
-    def watched(self: Sought, clouds: Any, seed: Any, settings: Any, **others: Any) -> Any:
+    def watched(self: TargetSearch, clouds: Any, seed: Any, settings: Any, **others: Any) -> Any:
         used.append(settings)
         return real(self, clouds, seed, settings, **others)
 
-    monkeypatch.setattr(Sought, "in_lines", watched)
+    monkeypatch.setattr(TargetSearch, "in_lines", watched)
     clouds: dict[str, Cloud] = dict(survey.clouds)
     again = reselection.selected_again(target, clouds, clouds)
     assert used == [

@@ -11,7 +11,7 @@ from lispac.io.project_file import write_project
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
-from lispac.workflow.repeating import remarks_on
+from lispac.workflow.repeated_surveys import remarks_on
 from lispac.workflow.same_lines import shared_lines
 from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own

@@ -14,7 +14,7 @@ from lispac.design.search import Design, Step
 from lispac.design.site import Site
 from lispac.io.plan_file import read_plan
 from lispac.project import Project
-from lispac.workflow.designing import write_design
+from lispac.workflow.plan_checks import write_design
 from lispac.workflow.survey import Survey
 from tests.narrow_site import narrow_site
 from tests.test_cli import answer, refused, run

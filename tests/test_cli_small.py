@@ -28,7 +28,7 @@ from lispac.project import LineSource, Project
 from lispac.targets.quality import undetermined
 from lispac.validation.absolute import PointCheck
 from lispac.workflow import patch_test
-from lispac.workflow.proposing import Proposal
+from lispac.workflow.proposals import Proposal
 from lispac.workflow.seed_lists import ListedSeed, Outcome
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import Targetless

@@ -17,17 +17,17 @@ from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
 from lispac.survey.store import reading as reading_module
-from lispac.workflow import seeking as seeking_module
 from lispac.workflow import survey as survey_module
+from lispac.workflow import target_search as seeking_module
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.export import content_of
-from lispac.workflow.exporting import export_targets
+from lispac.workflow.exported_files import export_targets
 from lispac.workflow.importing import import_lines, line_folder
 from lispac.workflow.picking import find
 from lispac.workflow.projects import create_project, new_project
-from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.target_search import thinned_notes
 from lispac.workflow.validation import validate
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.common_parts import common_parts
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
+from lispac.adjustment.warnings import doubts
 from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import place

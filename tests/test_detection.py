@@ -14,7 +14,7 @@ from lispac.targets.finder import FinderSettings
 from lispac.targets.patches import flat_patches, voxel_for
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.proposing import propose
+from lispac.workflow.proposals import propose
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, NotComparable
-from lispac.validation.absolute import AbsoluteState, Explained
+from lispac.validation.absolute import AbsoluteState, SigmaSources
 from lispac.validation.cloud_distance import cloud_to_cloud
 from lispac.validation.comparison import compare_plane
 from lispac.validation.distance_map import distance_map
@@ -16,7 +16,7 @@ from tests.test_distance_map import TO_VESSEL, wall
 
 
 def test_of_lines_on_the_reference_nothing_is_its_error() -> None:
-    known = Explained(0.004, 0.0, 0.0, None)
+    known = SigmaSources(0.004, 0.0, 0.0, None)
 
     def state(rms: float) -> AbsoluteState:
         unsigned = DistanceStatistics(9, rms, rms, rms, rms, rms, rms, rms)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.doubts import doubts
+from lispac.adjustment.warnings import doubts
 from lispac.cli.estimate import print_result, project_numbers
 from lispac.doubles import doubles, overlap_warning, overlap_with, overlaps
 from lispac.gui.panels import result_words

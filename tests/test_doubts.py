@@ -9,12 +9,12 @@ import pytest
 from scipy import stats
 
 from lispac.adjustment.critical import rarely_more
-from lispac.adjustment.doubts import RULES, doubts
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.result import CommonPart, Contradiction, RadiusDiscrepancy, Unchecked
 from lispac.adjustment.scatter import raised
 from lispac.adjustment.shown import plain
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import RULES, doubts
 from lispac.cli.estimate import numbers, print_result
 from lispac.gui.panels import result_words
 from lispac.io.project_file import read_project, write_project

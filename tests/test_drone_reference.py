@@ -15,11 +15,11 @@ import pytest
 from scipy.spatial import KDTree
 
 from lispac.adjustment.averaging import averaged
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import doubts
 from lispac.geometry.planes import fit_plane, in_plane_axes
 from lispac.project import LineSource, Settings
 from lispac.survey.cloud import placed_with

@@ -9,7 +9,7 @@ from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.project import PickedSighting, Project, Target
 from lispac.simulation.scene import Sphere
-from lispac.workflow.editing import BESIDE, FEWEST, with_points, without_points
+from lispac.workflow.point_edits import BESIDE, FEWEST, with_points, without_points
 from lispac.workflow.reselection import reselect
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked

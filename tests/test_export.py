@@ -21,7 +21,12 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import place
 from lispac.survey.trajectory import Poses, Trajectory
 from lispac.workflow.export_request import ExportRequest, export, system_of
-from lispac.workflow.exporting import SBET_ZEROS, export_planes, export_targets, export_trajectory
+from lispac.workflow.exported_files import (
+    SBET_ZEROS,
+    export_planes,
+    export_targets,
+    export_trajectory,
+)
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked
 

@@ -8,7 +8,7 @@ import pytest
 from lispac.adjustment.observability import RankDeficient
 from lispac.project import PickedSighting, Project
 from lispac.workflow.calibration import estimate
-from lispac.workflow.facing import face_one_way
+from lispac.workflow.orientation_check import face_one_way
 from lispac.workflow.survey import Survey
 from lispac.workflow.warnings import warnings_of
 from tests.few_passes import picked

@@ -18,8 +18,8 @@ from lispac.survey.georeferencing import Mounting
 from lispac.targets.across_lines import find_in_lines
 from lispac.targets.alignment import align
 from lispac.targets.finder import FinderSettings, PlanePatch
-from lispac.workflow import seeking
-from lispac.workflow.seeking import Place, Sought, planes_in_lines
+from lispac.workflow import target_search
+from lispac.workflow.target_search import Place, TargetSearch, planes_in_lines
 from tests.finder_scenes import WALL, Site, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
 from tests.test_simulation import placed
@@ -172,7 +172,7 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
     counts = np.zeros(2)
     for key, seed in survey.site["seeds_nwu_on_line1"].items():
         place = Place.of(aligned, np.array(seed), "line1", settings.radius)
-        found, missing = Sought().in_lines(
+        found, missing = TargetSearch().in_lines(
             place.clouds,
             place.seed,
             replace(settings, max_shift=place.max_shift),
@@ -194,7 +194,7 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
 
 def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
     """One point in many is looked at: the clicked one is among them, and its surface is meant."""
-    monkeypatch.setattr(seeking, "SOUGHT", 6_000)
+    monkeypatch.setattr(target_search, "SOUGHT", 6_000)
     seen = site([board(), wall(0.3)], lines=1, pulses_per_second=300_000.0)
     _, survey = seen.opened()
     cloud = survey.clouds["L1"]
@@ -202,7 +202,9 @@ def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.Mo
     on = np.flatnonzero(seen.on("L1", "T1"))
     edge = np.abs(points[on, 0]) > 0.57
     clicked = np.random.default_rng(2).choice(on[edge], 40, replace=False)
-    sampled = seeking._regions({"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000)[0]["L1"]
+    sampled = target_search._regions({"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000)[0][
+        "L1"
+    ]
     assert sampled.one_in > 1
     for number in clicked:
         try:

@@ -23,8 +23,8 @@ from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.toml_table import Table, quoted
 from lispac.project import Project, Settings
 from lispac.survey.store.layout import read_manifest, write_manifest
-from lispac.workflow.designing import write_scenarios
 from lispac.workflow.importing import import_lines, line_folder
+from lispac.workflow.plan_checks import write_scenarios
 from lispac.workflow.simulate import replacement
 from lispac.workflow.survey import load_survey
 

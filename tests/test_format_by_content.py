@@ -28,8 +28,8 @@ from lispac.io.seed_file import looks_like_a_list, read_point_list
 from lispac.io.static_scan import static_scan
 from lispac.messages import error
 from lispac.project import LineSource
+from lispac.workflow.file_reading import format_of_line, looks
 from lispac.workflow.line_chunks import Chunks
-from lispac.workflow.reading import format_of_line, looks
 from tests import point_files as files
 from tests.intake_files import write_survey
 from tests.static_scans import write_pts

@@ -18,7 +18,7 @@ from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, require_within_reach
 from lispac.survey.time_base import LEAP_SECONDS_NOW, Match, base_of, from_gps, plausible, to_gps
 from lispac.survey.time_quality import Coverage, exclusion_notes, short_of_trajectory
-from lispac.survey.time_stated import Known, following_messages
+from lispac.survey.time_stated import KnownTimeBase, following_messages
 from lispac.survey.trajectory import LocalTrajectory
 from tests.error_codes import has_code
 
@@ -232,7 +232,7 @@ def test_accuracies_may_miss_two_seconds_at_either_end() -> None:
 
 def test_leap_seconds_taken_for_granted_are_said() -> None:
     week, utc = base_of("gps-week"), base_of("utc-week")
-    own, other = Known(utc, stated=True), Known(week)
+    own, other = KnownTimeBase(utc, stated=True), KnownTimeBase(week)
     match = Match(((utc, week),), 18.0, 1.0)
     follows = note(
         "import.shift_follows", file="a", shift=18.0,
@@ -250,7 +250,7 @@ def test_another_way_that_fits_as_well_is_said() -> None:
     day = base_of("utc-day")
     pair = ((day, base_of("gps-week")),)
     ways = tuple(Match(pair, 86400.0 * k + 18.0, share) for k, share in ((1, 1.0), (2, 0.998)))
-    own, other = Known(day, stated=True), Known(pair[0][1])
+    own, other = KnownTimeBase(day, stated=True), KnownTimeBase(pair[0][1])
     found = following_messages((*ways, Match(pair, 259218.0, 0.9)), own, other, "a")
     follows, rivals = found
     assert follows.params["shift"] == 86_418.0
@@ -260,6 +260,6 @@ def test_another_way_that_fits_as_well_is_said() -> None:
 
 def test_a_base_that_nothing_tells_is_not_known() -> None:
     week = base_of("gps-week")
-    assert Known().message == note("time_base.unknown")
+    assert KnownTimeBase().message == note("time_base.unknown")
     suggested = note("time_base.suggested", base=note("time_base.gps_week"))
-    assert Known(week, suggested=True).message == suggested
+    assert KnownTimeBase(week, suggested=True).message == suggested

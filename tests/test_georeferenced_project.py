@@ -24,10 +24,10 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery, recovered
 from lispac.survey.trajectory import Trajectory
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.line_points import read_line
-from lispac.workflow.reading import local_trajectory
 from tests.cloud_files import (
     MOUNTING,
     sweep,

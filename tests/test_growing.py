@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.geometry.planes import Plane
-from lispac.targets.growing import grow, strongest, trimmed
+from lispac.targets.region_growing import grow, strongest, trimmed
 from lispac.targets.settings import FinderSettings
 
 LEVEL = Plane(np.array([0.0, 0.0, 1.0]), 0.0)

@@ -21,6 +21,7 @@ from lispac.survey.store import pieces, spool
 from lispac.survey.store.original import original_of
 from lispac.survey.store.reading import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.importing import (
     _Source,
     assumptions_of,
@@ -31,7 +32,6 @@ from lispac.workflow.importing import (
 )
 from lispac.workflow.line_points import LinePoints, read_line
 from lispac.workflow.projects import create_project, open_project
-from lispac.workflow.reading import local_trajectory
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code

@@ -19,7 +19,7 @@ from lispac.message_texts import action_text, action_tip, message_text
 from lispac.messages import Action, Level, Message, note, warning
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.time_base import base_of
-from lispac.survey.time_stated import Known
+from lispac.survey.time_stated import KnownTimeBase
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow import intake as intake_module
 from lispac.workflow.intake import Intake, folder_problem, proposed_folder
@@ -212,9 +212,9 @@ def test_what_a_trajectory_cannot_do_without_is_named(tokens: str, said: str) ->
 
 
 def test_what_is_not_settled_has_no_time_base() -> None:
-    assert trajectory_base(None) == Known()
+    assert trajectory_base(None) == KnownTimeBase()
     entry = Entry(Path("a.sbet"), role="trajectory")
-    assert trajectory_base(entry) == Known()
+    assert trajectory_base(entry) == KnownTimeBase()
     assert line_base(Entry(Path("a.las"), role="points")).base is None
     assert entry.options == {}
     assert examined_again(entry).pending is False

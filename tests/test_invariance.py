@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment import passes
+from lispac.adjustment import chunks
 from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
@@ -47,12 +47,12 @@ def test_order_does_not_change_the_answer(spacing) -> None:
 
 def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
     points = survey(5, 0.025)
-    assert len(points) > passes.FEW
+    assert len(points) > chunks.FEW
     answers = []
     for threads in (1, 2, 7):
-        monkeypatch.setattr(passes.os, "cpu_count", lambda threads=threads: threads)
+        monkeypatch.setattr(chunks.os, "cpu_count", lambda threads=threads: threads)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
-    monkeypatch.setattr(passes, "FEW", 10**9)  # no threads at all
+    monkeypatch.setattr(chunks, "FEW", 10**9)  # no threads at all
     answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
     for other in answers[1:]:
         assert np.abs(other - answers[0]).max() < SAME

@@ -17,10 +17,10 @@ from lispac.survey.line_audit import LineAudit, shared_fraction
 from lispac.survey.screening import PointScreen, PointSelection
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.file_audit import file_audit
+from lispac.workflow.file_reading import looks
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import import_lines
 from lispac.workflow.projects import new_project, open_project
-from lispac.workflow.reading import looks
 from lispac.workflow.survey import Survey, load_survey
 from tests.intake_files import LEVER, START, fan, write_line, write_survey
 

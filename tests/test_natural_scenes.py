@@ -6,10 +6,10 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from lispac.adjustment.doubts import doubts
+from lispac.adjustment.warnings import doubts
 from lispac.errors import TargetNotFound
 from lispac.workflow.calibration import estimate
-from lispac.workflow.proposing import UNCHECKED, propose
+from lispac.workflow.proposals import UNCHECKED, propose
 from lispac.workflow.target_choice import LEAST_TARGETS
 from tests.natural_scenes import natural_site, opened, study
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from lispac.adjustment.omitted import CRITICAL, contradictions
+from lispac.adjustment.omitted_parameters import CRITICAL, contradictions
 from lispac.adjustment.parameters import SWITCHED
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust

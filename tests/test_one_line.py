@@ -13,11 +13,11 @@ from lispac.errors import AdjustmentError, NotComparable, ProjectError
 from lispac.io.plan_file import TitledPlan
 from lispac.messages import note
 from lispac.targets.expected import ExpectedTarget
-from lispac.workflow.accepting import not_picked, with_accepted
 from lispac.workflow.calibration import check
 from lispac.workflow.patch_test import propose
 from lispac.workflow.picking import find, pick
-from lispac.workflow.proposing import Proposal
+from lispac.workflow.proposal_acceptance import not_picked, with_accepted
+from lispac.workflow.proposals import Proposal
 from lispac.workflow.replay import replay
 from lispac.workflow.sections import cut_target
 from lispac.workflow.survey import Survey

@@ -14,10 +14,10 @@ from lispac.io.text_export import write_trajectory_text
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.export_request import system_of
-from lispac.workflow.exporting import export_planes, export_targets, export_trajectory
+from lispac.workflow.exported_files import export_planes, export_targets, export_trajectory
+from lispac.workflow.file_reading import looks, read_trajectory, usual_or_settled
 from lispac.workflow.line_points import read_chunks
 from lispac.workflow.projects import new_project
-from lispac.workflow.reading import looks, read_trajectory, usual_or_settled
 from lispac.workflow.survey import Survey
 from tests.cloud_files import states, track, two_lines
 from tests.message_codes import codes

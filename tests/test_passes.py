@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.passes import CHUNKS, FEW, in_chunks
+from lispac.adjustment.chunks import CHUNKS, FEW, in_chunks
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ from lispac.survey.georeferencing import place, to_lidar
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import Poses
 from lispac.workflow.opinions import of_the_patch_test
-from lispac.workflow.patch_test import Laid, find, find_angle, lay, line_pairs, propose
+from lispac.workflow.patch_test import PlacedObjects, find, find_angle, lay, line_pairs, propose
 from lispac.workflow.projects import create_project, open_project
 from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
 from lispac.workflow.survey import Survey, load_survey
@@ -49,12 +49,12 @@ def thinned(demo_project: Project) -> Opened:
 
 
 @pytest.fixture(scope="module")
-def laid(thinned: Opened) -> Laid:
+def laid(thinned: Opened) -> PlacedObjects:
     return propose(*thinned, count=FEW)
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened, laid: Laid) -> PatchTest:
+def clean(thinned: Opened, laid: PlacedObjects) -> PatchTest:
     return find(*thinned, laid)
 
 
@@ -94,7 +94,7 @@ def test_a_prior_two_degrees_off_gives_the_same_answer(thinned: Opened, clean: P
 
 @pytest.mark.long  # with a prior two degrees off they are cut again as well
 def test_objects_laid_with_lines_apart_are_cut_again(
-    thinned: Opened, laid: Laid, clean: PatchTest
+    thinned: Opened, laid: PlacedObjects, clean: PatchTest
 ) -> None:
     off = laid.boresight + np.radians([0.3, -0.3, 0.3])
     found = find(*thinned, lay(*thinned, laid.objects, off))
@@ -102,7 +102,7 @@ def test_objects_laid_with_lines_apart_are_cut_again(
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
 
-def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Laid) -> None:
+def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: PlacedObjects) -> None:
     """With a prior two degrees off a line sees the mast a metre from where it is."""
     project, survey = thinned
     right = truth(project)
@@ -217,7 +217,7 @@ def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
 
 
 def test_an_object_that_one_line_sees_elsewhere_is_named(
-    thinned: Opened, laid: Laid, clean: PatchTest
+    thinned: Opened, laid: PlacedObjects, clean: PatchTest
 ) -> None:
     project, survey = thinned
     sample = laid.sample
@@ -235,7 +235,7 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
     assert (error(found, project) < 3).all()
 
 
-def test_few_objects_have_no_sigma(thinned: Opened, laid: Laid) -> None:
+def test_few_objects_have_no_sigma(thinned: Opened, laid: PlacedObjects) -> None:
     few = lay(*thinned, laid.objects[:4], laid.boresight)
     found = find(*thinned, few)
     assert found.sigma is None
@@ -314,7 +314,7 @@ def test_the_command_line_says_the_same(
 
 
 def test_the_answer_is_kept_where_it_has_a_sigma(
-    capsys: pytest.CaptureFixture[str], thinned: Opened, laid: Laid, tmp_path: Path
+    capsys: pytest.CaptureFixture[str], thinned: Opened, laid: PlacedObjects, tmp_path: Path
 ) -> None:
     folder = tmp_path / "copy"
     shutil.copytree(thinned[0].folder, folder)

@@ -9,7 +9,7 @@ from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, Plan
 from lispac.design.site import Site, Wall
 from lispac.io.plan_file import TitledPlan
-from lispac.workflow.designing import ONE_WAY, cautions, many_surveys, remarks_on
+from lispac.workflow.plan_checks import ONE_WAY, cautions, many_surveys, remarks_on
 
 WALL = Wall((0.0, 0.0, 0.0), 270.0)
 

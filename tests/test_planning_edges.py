@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.design.choices import Choice, Space
+from lispac.design.choices import Choice, DesignSpace
 from lispac.design.monte_carlo import surveyed
 from lispac.design.objective import Objective
 from lispac.design.plan import Line, Plan
@@ -20,7 +20,7 @@ from tests.error_codes import has_code
 from tests.prediction_study import BOARDS, PLAN
 from tests.test_design import SMALL
 
-SPACE = Space(SMALL, Objective())
+SPACE = DesignSpace(SMALL, Objective())
 CHOICE = Choice((0, 5), (0, 1, 2))
 MADE = SPACE.plan(CHOICE)
 AWAY = Board("away", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))

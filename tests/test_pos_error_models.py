@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from lispac.simulation.pos_error_models import (
+    CombinedModel,
     GnssOutage,
     Jumps,
     PosErrors,
-    Together,
     WhiteNoise,
     together,
 )
@@ -29,7 +29,7 @@ def drawn(model: PosErrors, count: int = COUNT, draws: int = DRAWS) -> np.ndarra
 
 @pytest.mark.parametrize(
     "model",
-    [NOISE, OUTAGE, SMOOTHED, Together((NOISE, SMOOTHED))],
+    [NOISE, OUTAGE, SMOOTHED, CombinedModel((NOISE, SMOOTHED))],
     ids=["white", "outage", "smoothed", "together"],
 )
 def test_the_stated_variance_is_that_of_the_errors(model: PosErrors) -> None:
@@ -92,11 +92,11 @@ def test_jumps_at_stated_times() -> None:
 
 
 def test_together_is_the_sum_of_independent_parts() -> None:
-    both = Together((NOISE, Jumps(POSITION, ATTITUDE, at=(0.0,))))
+    both = CombinedModel((NOISE, Jumps(POSITION, ATTITUDE, at=(0.0,))))
     errors = drawn(both, draws=1000)
     np.testing.assert_allclose((errors**2).mean(axis=(0, 1)), 2.0, rtol=0.12)
     assert together([HYDROGRAPHIC_INS]) is HYDROGRAPHIC_INS
-    assert together([NOISE, OUTAGE]) == Together((NOISE, OUTAGE))
+    assert together([NOISE, OUTAGE]) == CombinedModel((NOISE, OUTAGE))
 
 
 @pytest.mark.parametrize("model", [NOISE, SMOOTHED, Jumps(POSITION, ATTITUDE, per_hour=60.0)])

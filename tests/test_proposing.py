@@ -22,10 +22,10 @@ from lispac.survey.cloud import CloudInMemory
 from lispac.survey.scan import Scan
 from lispac.targets.detection import DetectedPlane
 from lispac.targets.quality import SightingQuality, undetermined
-from lispac.workflow import proposing
+from lispac.workflow import proposals
 from lispac.workflow.calibration import estimate
 from lispac.workflow.projects import open_project
-from lispac.workflow.proposing import propose
+from lispac.workflow.proposals import propose
 from lispac.workflow.qualities import lidar_noise, qualities
 from lispac.workflow.survey import Survey, load_survey
 from tests.few_passes import passes
@@ -37,14 +37,14 @@ from tests.test_finder_sites import board, wall
 def detected(monkeypatch: pytest.MonkeyPatch) -> list[DetectedPlane]:
     """What is detected on the way to a proposal."""
     found: list[DetectedPlane] = []
-    usual = proposing.detect_planes
+    usual = proposals.detect_planes
 
     def kept(*given: object, **also: object) -> tuple[DetectedPlane, ...]:
         planes = usual(*given, **also)  # type: ignore[arg-type]
         found.extend(planes)
         return planes
 
-    monkeypatch.setattr(proposing, "detect_planes", kept)
+    monkeypatch.setattr(proposals, "detect_planes", kept)
     return found
 
 
@@ -119,7 +119,7 @@ def test_what_is_seen_poorly_on_most_lines_is_not_proposed(
         judged.append(qualities(project, survey))
         return judged[-1]
 
-    monkeypatch.setattr(proposing, "qualities", kept)
+    monkeypatch.setattr(proposals, "qualities", kept)
     seen = with_deck()
     project, survey = seen.opened((1, -1, 1))
     proposal = propose(project, survey)
@@ -152,7 +152,7 @@ def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
         )
         for k in range(4)
     }
-    judged = proposing._judged_by(lines)
+    judged = proposals._judged_by(lines)
     assert judged.use == use
     assert judged.poor == tuple(lines)[:poor]
     assert judged.reason == ("The beams meet it aslant." if poor else "")

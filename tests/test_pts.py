@@ -12,7 +12,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.io import pts
 from lispac.io.static_scan import static_scan
-from lispac.workflow.reading import looks
+from lispac.workflow.file_reading import looks
 from tests.point_files import RING, XYZ
 from tests.static_scans import write_pts
 

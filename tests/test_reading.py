@@ -16,8 +16,8 @@ from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.file_reading import looks
 from lispac.workflow.projects import new_project, open_project
-from lispac.workflow.reading import looks
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error, is_refusal
 from tests.error_codes import has_code

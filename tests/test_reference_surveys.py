@@ -22,9 +22,9 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.file_reading import settled
 from lispac.workflow.picking import pick
 from lispac.workflow.projects import create_project, open_project, save_project
-from lispac.workflow.reading import settled
 from lispac.workflow.survey import load_survey
 from lispac.workflow.validation import validate
 from tests.test_cli import answer

@@ -37,10 +37,10 @@ from lispac.validation.absolute import (
     ALL_LINES,
     AbsoluteCheck,
     AbsoluteState,
-    Explained,
     LineCheck,
     OtherSurface,
     PointCheck,
+    SigmaSources,
 )
 from lispac.validation.results import DistanceStatistics, SignedStatistics
 from tests.report_sample import MADE, sample_project
@@ -131,8 +131,8 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
         return AbsoluteState(
             far,
             SignedStatistics(50, off, off, 0.004, 0.001, 0.4),
-            Explained(0.002, 0.003, 0.001, 0.001, 0.0005),
-            Explained(0.002, 0.003, 0.001, 0.001),
+            SigmaSources(0.002, 0.003, 0.001, 0.001, 0.0005),
+            SigmaSources(0.002, 0.003, 0.001, 0.001),
         )
 
     lines = tuple(

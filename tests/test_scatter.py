@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import AdjustmentResult
@@ -13,6 +12,7 @@ from lispac.adjustment.scatter import excess_variance, with_scatter
 from lispac.adjustment.solved import Solved
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import doubts
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting

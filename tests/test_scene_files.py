@@ -11,7 +11,13 @@ from lispac.installed import resource
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import read_scene
 from lispac.io.vessel_file import read_vessel
-from lispac.simulation.pos_error_models import GnssOutage, Jumps, PosErrors, Together, WhiteNoise
+from lispac.simulation.pos_error_models import (
+    CombinedModel,
+    GnssOutage,
+    Jumps,
+    PosErrors,
+    WhiteNoise,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
 from lispac.simulation.scene import Cylinder, Rectangle, tilted
@@ -120,7 +126,7 @@ def test_a_survey_of_days_is_refused(tmp_path: Path) -> None:
 
 def test_a_pos_with_many_errors() -> None:
     pos = read_vessel(resource("vessels") / "launch-outage.toml").pos
-    assert isinstance(pos, Together)
+    assert isinstance(pos, CombinedModel)
     assert [type(part) for part in pos.parts] == [
         type(HYDROGRAPHIC_INS), WhiteNoise, GnssOutage, Jumps,
     ]  # fmt: skip
@@ -319,8 +325,8 @@ def test_a_scene_that_cannot_be_sailed_is_refused(text: str, said: str, tmp_path
     [
         (PosErrorModel((0.1, 0.1, 0.1), (0.1, 0.1, 0.1), 120.0, 240.0), (120.0, 240.0)),
         (WHITE, (300.0, 600.0)),
-        (Together((WHITE, PosErrorModel((0.1,) * 3, (0.1,) * 3, 90.0, 80.0))), (90.0, 80.0)),
-        (Together((WHITE, WHITE)), (300.0, 600.0)),
+        (CombinedModel((WHITE, PosErrorModel((0.1,) * 3, (0.1,) * 3, 90.0, 80.0))), (90.0, 80.0)),
+        (CombinedModel((WHITE, WHITE)), (300.0, 600.0)),
     ],
 )
 def test_the_surveyor_knows_the_correlation_times_where_there_are_any(

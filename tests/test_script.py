@@ -17,7 +17,7 @@ from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.editing import without_points
+from lispac.workflow.point_edits import without_points
 from lispac.workflow.point_numbers import numbers_text, point_numbers
 from lispac.workflow.script import Script, script_of
 from lispac.workflow.script_text import SHORT, call, in_pieces, written

@@ -14,7 +14,7 @@ from lispac.installed import resource
 from lispac.simulation.pos_error_models import WhiteNoise
 from lispac.simulation.scene import tilted
 from lispac.simulation.survey import simulated
-from lispac.simulation.voyage import Replayed, Stretch
+from lispac.simulation.voyage import RecordedTrajectory, Stretch
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.projects import open_project
 from lispac.workflow.simulated_setup import simulation
@@ -107,7 +107,7 @@ def test_errors_on_a_trajectory_with_gaps_and_bursts_have_their_sigmas() -> None
     noise = WhiteNoise((0.1, 0.2, 0.3), (0.001, 0.002, 0.003))
     stretches = (Stretch(1.0, 1.5, True),)
     setup = replace(
-        simulation("marine").setup, voyage=Replayed(states, stretches), pos=noise,
+        simulation("marine").setup, voyage=RecordedTrajectory(states, stretches), pos=noise,
         origin=(0.8, -1.2, 0.0),
     )  # fmt: skip
     found = simulated(setup, seed=4).trajectory

@@ -11,6 +11,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.store.original import original_of
+from lispac.workflow.file_reading import local_trajectory, settled, usual_or_settled
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.importing import _Source, import_line
 from lispac.workflow.line_points import LinePoints
@@ -20,7 +21,6 @@ from lispac.workflow.projects import (
     unsaved_work,
     with_lines_added,
 )
-from lispac.workflow.reading import local_trajectory, settled, usual_or_settled
 from lispac.workflow.survey import load_survey
 from tests.intake_files import LEVER, START, fan, write_line, write_survey
 from tests.trajectory_files import write_records

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.averaging import averaged
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.sphere_radii import radius_discrepancies
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import doubts
 from lispac.simulation.closed_form import Ball, exact_survey, observed, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting

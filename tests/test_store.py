@@ -14,7 +14,7 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.scan import Scan
 from lispac.survey.store import cells, merging, ordering, pieces, spool
 from lispac.survey.store.fingerprint import joined_crc32
-from lispac.survey.store.layout import Manifest, Original, write_manifest
+from lispac.survey.store.layout import Manifest, SourceFile, write_manifest
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.runs import rows_of
 from lispac.survey.store.writing import Recipe, write_store
@@ -309,7 +309,7 @@ def test_checksums_are_joined(first: bytes, second: bytes) -> None:
 
 def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
     placed_with = {"mounting": [0.1] * 9}
-    recipe = Recipe("L1", Original("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, placed_with)
+    recipe = Recipe("L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, placed_with)
     write_store(
         tmp_path, recipe, LINE.pieces(1000), place, lambda: (("read as it is",), {"read": 3})
     )

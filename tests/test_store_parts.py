@@ -21,7 +21,7 @@ from lispac.survey.store.columns import opened
 from lispac.survey.store.layout import (
     Column,
     DamagedStore,
-    Original,
+    SourceFile,
     is_imported,
     plainly_written,
     read_manifest,
@@ -230,7 +230,9 @@ def test_the_original_is_known_by_its_time_or_by_all_of_its_content(tmp_path: Pa
     path.write_bytes(content)
     os.utime(path, ns=(0, 10**18))
     original = original_of(path)
-    assert original == Original(str(path), 76_800, 10**18, hashlib.sha256(content).hexdigest()[:32])
+    assert original == SourceFile(
+        str(path), 76_800, 10**18, hashlib.sha256(content).hexdigest()[:32]
+    )
     copy = tmp_path / "copy.las"
     copy.write_bytes(content)
     assert is_unchanged(original, copy)

@@ -16,8 +16,8 @@ from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.export_request import ExportRequest, export, system_of
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.reading import local_trajectory
 from lispac.workflow.survey import load_survey
 from lispac.workflow.target_systems import own_datum
 from tests.cloud_files import MOUNTING, sweep, track, written_las

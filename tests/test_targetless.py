@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.doubts import doubts
+from lispac.adjustment.warnings import doubts
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.messages import note

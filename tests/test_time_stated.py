@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.messages import Level, Message, note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import WEEK, Match, base_of
-from lispac.survey.time_stated import Known, contradiction, nowhere, shift_note
+from lispac.survey.time_stated import KnownTimeBase, contradiction, nowhere, shift_note
 from lispac.workflow.importing import assumptions_of, import_lines
 from lispac.workflow.intake import Intake
 from lispac.workflow.projects import new_project, open_project, with_lines_added
@@ -143,20 +143,20 @@ def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
 
 
 def test_times_that_fit_no_base_say_so() -> None:
-    stated = Known(base_of("gps-week"), stated=True)
+    stated = KnownTimeBase(base_of("gps-week"), stated=True)
     times = np.array([5e12, 4e12])
     refusal = contradiction(times, stated, "a")
     assert refusal is not None
     assert refusal.code == "time_base.no_base_possible"
     assert (refusal.params["first"], refusal.params["last"]) == (4e12, 5e12)
-    assert contradiction(times, Known(base_of("gps-week")), "a") is None
+    assert contradiction(times, KnownTimeBase(base_of("gps-week")), "a") is None
     assert contradiction(np.array([5.0]), stated, "a") is None
 
 
 def test_what_the_trajectory_could_count_instead_is_named() -> None:
-    own, track = Known(base_of("gps-adjusted"), stated=True), START + np.arange(0.0, 100.0)
+    own, track = KnownTimeBase(base_of("gps-adjusted"), stated=True), START + np.arange(0.0, 100.0)
     times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
-    other = Known(base_of("gps-day"))
+    other = KnownTimeBase(base_of("gps-day"))
     options = "--trajectory-option time=gps-week", "--trajectory-option time=utc-week"
     refusal = nowhere(own, other, times, track, "a")
     assert refusal.code == "time_base.other_trajectory_base"
@@ -169,7 +169,7 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
     # Some seconds behind its end: UTC is that much behind
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
     assert nowhere(own, other, behind, track, "a").params["options"] == [options[1]]
-    assert nowhere(own, Known(other.base, stated=True), times, track, "a").code == (
+    assert nowhere(own, KnownTimeBase(other.base, stated=True), times, track, "a").code == (
         "time_base.no_overlap"
     )
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.base import Viewport, ViewportSignals
-from lispac.gui.viewport.late import ANSWERED, PER_WHAT, LateViewport
+from lispac.gui.viewport.lazy_viewport import ANSWERED, PER_WHAT, LazyViewport
 from lispac.gui.viewport.recording import RecordingViewport
 from tests.gui.support import WAIT_MS, in_front
 
@@ -34,13 +34,13 @@ def made() -> Made:
 
 
 @pytest.fixture
-def late(made: Made, qtbot: QtBot) -> LateViewport:
-    view = LateViewport(made)
+def late(made: Made, qtbot: QtBot) -> LazyViewport:
+    view = LazyViewport(made)
     qtbot.addWidget(view.widget)
     return view
 
 
-def test_nothing_is_made_before_there_is_something_to_see(late: LateViewport, made: Made) -> None:
+def test_nothing_is_made_before_there_is_something_to_see(late: LazyViewport, made: Made) -> None:
     late.set_point_size(3)
     late.show_clouds({}, {})
     late.show_markers([])
@@ -49,7 +49,7 @@ def test_nothing_is_made_before_there_is_something_to_see(late: LateViewport, ma
     assert made.all == []
 
 
-def test_what_was_asked_before_holds(late: LateViewport, made: Made) -> None:
+def test_what_was_asked_before_holds(late: LazyViewport, made: Made) -> None:
     late.set_point_size(3)
     late.set_line_visible("A", False)
     late.set_line_visible("B", False)
@@ -68,7 +68,7 @@ def test_what_was_asked_before_holds(late: LateViewport, made: Made) -> None:
     assert set(view.clouds) == set(CLOUDS)
 
 
-def test_it_is_made_when_it_is_seen(late: LateViewport, made: Made, qtbot: QtBot) -> None:
+def test_it_is_made_when_it_is_seen(late: LazyViewport, made: Made, qtbot: QtBot) -> None:
     late.set_station((1.0, 2.0, 3.0))
     late.widget.resize(300, 200)
     late.widget.show()
@@ -79,7 +79,7 @@ def test_it_is_made_when_it_is_seen(late: LateViewport, made: Made, qtbot: QtBot
     assert view.calls == [("set_station", ((1.0, 2.0, 3.0),))]
 
 
-def test_it_is_made_for_an_answer(late: LateViewport, made: Made) -> None:
+def test_it_is_made_for_an_answer(late: LazyViewport, made: Made) -> None:
     late.set_line_visible("A", False)
     assert late.hides("A")
     assert len(made.all) == 1
@@ -93,7 +93,7 @@ def test_the_window_stays_the_same_and_in_front(qtbot: QtBot, shown: object) -> 
 
     window = QMainWindow()
     qtbot.addWidget(window)
-    views = [LateViewport(VtkViewport, window)]
+    views = [LazyViewport(VtkViewport, window)]
     window.setCentralWidget(QStackedWidget())
     for page in (QWidget(), views[0].widget):
         window.centralWidget().addWidget(page)
@@ -109,7 +109,7 @@ def test_the_window_stays_the_same_and_in_front(qtbot: QtBot, shown: object) -> 
     views.pop().close()
 
 
-def test_every_signal_is_passed_on(late: LateViewport, made: Made) -> None:
+def test_every_signal_is_passed_on(late: LazyViewport, made: Made) -> None:
     heard = []
     names = [name for name, each in vars(ViewportSignals).items() if isinstance(each, Signal)]
     assert len(names) == 7
@@ -129,6 +129,6 @@ def test_every_question_has_an_answer() -> None:
         for name, each in vars(Viewport).items()
         if inspect.isfunction(each) and inspect.signature(each).return_annotation is not None
     }
-    theirs = asked - set(vars(LateViewport))
+    theirs = asked - set(vars(LazyViewport))
     assert {name for name in theirs if not name.startswith("_")} <= ANSWERED
     assert set(vars(Viewport)) > PER_WHAT

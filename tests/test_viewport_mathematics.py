@@ -6,7 +6,7 @@ import pytest
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.decimation import foremost, in_view, ranks, robust_sample, shares
 from lispac.gui.viewport.overlay import length_text, scale_length
-from lispac.gui.viewport.picking import pick
+from lispac.gui.viewport.point_picker import pick
 from tests.view_scenes import SIZE, scene
 
 

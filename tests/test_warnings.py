@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.doubts import doubts
-from lispac.adjustment.older import refused_since
+from lispac.adjustment.outdated import refused_since
 from lispac.adjustment.shown import plain
+from lispac.adjustment.warnings import doubts
 from lispac.causes import Cause
 from lispac.cli.main import main
 from lispac.language import in_language

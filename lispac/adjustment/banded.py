@@ -11,7 +11,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from lispac.adjustment.passes import kernel
+from lispac.adjustment.chunks import kernel
 
 Array = NDArray[np.float64]
 

@@ -124,7 +124,7 @@ TELLING = 0.6
 
 
 @dataclass(frozen=True)
-class Likeliest:
+class MaximumLikelihood:
     """The factors at the largest likelihood.
 
     Attributes
@@ -142,7 +142,7 @@ class Likeliest:
     rough: float
 
 
-def variance_components(linearised: Linearised) -> Likeliest:
+def variance_components(linearised: Linearised) -> MaximumLikelihood:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and on the surfaces.
 
     Where the surfaces' sigma is not stated it is found along with the others: an error of the
@@ -187,7 +187,7 @@ def variance_components(linearised: Linearised) -> Likeliest:
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
     alone[free] = 1 / np.sqrt(np.diag(curvature))
     reach = np.log(100.0)  # beyond, the data tell nothing
-    return Likeliest(
+    return MaximumLikelihood(
         tuple(
             Component(
                 name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.attitude_terms import turns_of
+from lispac.adjustment.chunks import in_chunks, kernel
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.passes import in_chunks, kernel
-from lispac.adjustment.turns import turns_of
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.turns import turns_of
+from lispac.adjustment.attitude_terms import turns_of
 from lispac.errors import AdjustmentError
 from lispac.messages import error
 

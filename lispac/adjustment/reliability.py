@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.chunks import in_chunks, kernel
 from lispac.adjustment.conditions import Placing, Points, pose
 from lispac.adjustment.normal import Normal, columns_basis
-from lispac.adjustment.passes import in_chunks, kernel
 from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import SightingReliability
 from lispac.adjustment.robust import weight

@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.passes import kernel
+from lispac.adjustment.chunks import kernel
 
 LossName = Literal["none", "huber", "tukey"]
 LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")

@@ -17,7 +17,7 @@ from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.noise import astray, at_target, noise_factors
 from lispac.adjustment.observability import require_determined, require_two_facings, unseen
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.omitted import contradictions
+from lispac.adjustment.omitted_parameters import contradictions
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.problem import RELEASED, Linearised, Problem
 from lispac.adjustment.result import AdjustmentResult, Component, Contradiction

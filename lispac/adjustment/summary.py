@@ -10,7 +10,7 @@ from lispac.adjustment.conditions import misclosures
 from lispac.adjustment.noise import noise_of_form
 from lispac.adjustment.observability import observability
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.omitted import contradictions
+from lispac.adjustment.omitted_parameters import contradictions
 from lispac.adjustment.parameters import Estimate
 from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.reliability import reliability

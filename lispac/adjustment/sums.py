@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.adjustment.chunks import in_chunks, kernel
 from lispac.adjustment.conditions import (
     Placing,
     Points,
@@ -20,7 +21,6 @@ from lispac.adjustment.conditions import (
     row,
 )
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.passes import in_chunks, kernel
 from lispac.adjustment.robust import Loss, slope, weight
 from lispac.adjustment.stochastic import PosErrorKnots
 from lispac.survey.georeferencing import Mounting

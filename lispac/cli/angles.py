@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.cli.angles_shown import OF_PROJECT, Given, list_systems, numbers, print_answer
+from lispac.cli.angles_shown import OF_PROJECT, ConversionInput, list_systems, numbers, print_answer
 from lispac.cli.console import UsageError
 from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
 from lispac.survey.conventions.present import Present, present_of_matrix, replacement
@@ -57,7 +57,7 @@ def _setup(arguments: Namespace, key: str) -> Setup:
     )
 
 
-def _given(arguments: Namespace) -> Given:
+def _given(arguments: Namespace) -> ConversionInput:
     values, count = arguments.values, len(arguments.values)
     setup = _setup(arguments, arguments.from_system)
     lever_arm = np.array(arguments.lever or (0.0, 0.0, 0.0), dtype=float)
@@ -71,7 +71,9 @@ def _given(arguments: Namespace) -> Given:
         lever_arm = lever_arm if shift is None else shift
         # Read as it is printed.
         mounting = mounting_of(setup, product_of_matrix(setup, rotation), lever_arm)
-        return Given(setup, mounting, has_lever_arm or shift is not None, name="from matrix")
+        return ConversionInput(
+            setup, mounting, has_lever_arm or shift is not None, name="from matrix"
+        )
     if count == 1:
         if has_lever_arm or setup.convention.key != "lispac":
             raise UsageError("angles: a project has its own lever arm and convention.")
@@ -86,16 +88,18 @@ def _given(arguments: Namespace) -> Given:
         raise UsageError(f"angles: {' '.join(values)} are not three numbers.") from None
     if not np.isfinite(typed).all():
         raise UsageError("angles: an angle is not a finite number.")
-    return Given(setup, mounting_of_angles(setup, typed, lever_arm), has_lever_arm, typed=typed)
+    return ConversionInput(
+        setup, mounting_of_angles(setup, typed, lever_arm), has_lever_arm, typed=typed
+    )
 
 
-def _of_project(folder: Path, setup: Setup) -> Given:
+def _of_project(folder: Path, setup: Setup) -> ConversionInput:
     project = open_project(folder)
     mounting = project.mounting("estimated")
     result = project.result
     assert result is not None  # mounting() has refused otherwise
     independent = result.model.pos_errors == "independent"
-    return Given(
+    return ConversionInput(
         setup,
         mounting,
         True,

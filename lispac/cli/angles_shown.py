@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.survey.conventions.axes import Axes
-from lispac.survey.conventions.conversion import Setup, Stated, state
+from lispac.survey.conventions.conversion import MountingInSystem, Setup, state
 from lispac.survey.conventions.correction import SUM_MATTERS, Correction
 from lispac.survey.conventions.present import Replacement
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status
@@ -37,7 +37,7 @@ OF_PROJECT = "estimated"
 
 
 @dataclass(frozen=True, eq=False)
-class Given:
+class ConversionInput:
     """What is to be converted.
 
     Attributes
@@ -57,7 +57,7 @@ class Given:
     typed: Array | None = None
 
 
-def print_answer(given: Given, new: Replacement, *, matrices: bool) -> None:
+def print_answer(given: ConversionInput, new: Replacement, *, matrices: bool) -> None:
     """What was given, and what to type in the other program."""
     convention = new.stated.setup.convention
     _print_given(given)
@@ -117,7 +117,7 @@ def _row(label: str, values: Array, *, signed: bool = True, decimals: int = 4) -
     )
 
 
-def _print_given(given: Given) -> None:
+def _print_given(given: ConversionInput) -> None:
     setup, mounting = given.setup, given.mounting
     convention = setup.convention
     _line("FROM", f"{convention.name}: {STATUS_WORDS[setup.status]}")
@@ -139,7 +139,7 @@ def _print_given(given: Given) -> None:
         _line("", message_text(offsets))
 
 
-def _print_stated(given: Given, new: Replacement) -> None:
+def _print_stated(given: ConversionInput, new: Replacement) -> None:
     stated, correction = new.stated, new.correction
     setup = stated.setup
     convention = setup.convention
@@ -184,7 +184,7 @@ def _axes_words(axes: Axes, values: Array) -> str:
     )
 
 
-def _print_sigmas(stated: Stated, given: Given) -> None:
+def _print_sigmas(stated: MountingInSystem, given: ConversionInput) -> None:
     if stated.sigmas is not None:
         print(_row("sigma", stated.sigmas, signed=False))
         if given.caution:
@@ -254,7 +254,7 @@ def _system_numbers(setup: Setup) -> dict[str, Any]:
     }
 
 
-def _stated_numbers(stated: Stated, has_lever_arm: bool) -> dict[str, Any]:
+def _stated_numbers(stated: MountingInSystem, has_lever_arm: bool) -> dict[str, Any]:
     content = _system_numbers(stated.setup) | {
         "angles_deg": _named(stated.setup, stated.angles),
         "sigma_deg": _named(stated.setup, stated.sigmas),
@@ -269,7 +269,7 @@ def _stated_numbers(stated: Stated, has_lever_arm: bool) -> dict[str, Any]:
     return content
 
 
-def numbers(given: Given, new: Replacement) -> dict[str, Any]:
+def numbers(given: ConversionInput, new: Replacement) -> dict[str, Any]:
     """The answer as plain values."""
     own = state(given.mounting, given.setup, given.covariance)
     stated, correction = new.stated, new.correction

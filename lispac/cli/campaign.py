@@ -10,7 +10,7 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.design.monte_carlo import Scatter
 from lispac.io.plan_file import read_plan
 from lispac.workflow.campaign import mapper_of
-from lispac.workflow.designing import headline, many_surveys
+from lispac.workflow.plan_checks import headline, many_surveys
 
 
 def campaign(arguments: Namespace) -> None:

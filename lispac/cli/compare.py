@@ -14,12 +14,12 @@ from lispac.message_texts import message_text
 from lispac.validation.repeatability import (
     Calibration,
     Difference,
-    Repeated,
+    RepeatedCalibrations,
     alone,
     difference,
     repeated,
 )
-from lispac.workflow.repeating import calibrations_of
+from lispac.workflow.repeated_surveys import calibrations_of
 
 DISTANCES_M = (10.0, 50.0, 100.0)
 
@@ -59,7 +59,10 @@ def compare(arguments: Namespace) -> None:
 
 
 def _print(
-    found: Sequence[Calibration], against: Sequence[Difference], together: Repeated, counted: int
+    found: Sequence[Calibration],
+    against: Sequence[Difference],
+    together: RepeatedCalibrations,
+    counted: int,
 ) -> None:
     width = max(12, *(len(each.name) for each in found)) + 2
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
@@ -122,7 +125,7 @@ def _difference(each: Difference) -> dict[str, Any]:
     }
 
 
-def _together(each: Repeated) -> dict[str, Any]:
+def _together(each: RepeatedCalibrations) -> dict[str, Any]:
     return {
         "boresight_deg": np.degrees(each.boresight).tolist(),
         "sigma_deg": np.degrees(each.sigma).tolist(),

@@ -11,7 +11,7 @@ from lispac.cli.console import ConsoleProgress, opened, print_json
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, error
-from lispac.methods import Answer, answers, missing, remarks_on
+from lispac.methods import MethodResult, answers, missing, remarks_on
 from lispac.opinions import Method
 from lispac.progress import part
 from lispac.project import Project
@@ -70,7 +70,7 @@ def _asked(project: Project) -> tuple[Project, dict[str, Message]]:
     return found, refused
 
 
-def _print(found: tuple[Answer, ...]) -> None:
+def _print(found: tuple[MethodResult, ...]) -> None:
     width = max(len(each.method) for each in found) + 2
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'method':{width}s}{'lines':>6s}{'surfaces':>10s}{heads}  deg")
@@ -97,7 +97,7 @@ def _print(found: tuple[Answer, ...]) -> None:
             print(f"{each.method}: {message_text(remark)}")
 
 
-def _numbers(each: Answer) -> dict[str, Any]:
+def _numbers(each: MethodResult) -> dict[str, Any]:
     said, against = each.calibration, each.against
     return {
         "method": each.method,

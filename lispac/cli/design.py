@@ -18,7 +18,7 @@ from lispac.io.plan_file import read_site
 from lispac.message_texts import message_text
 from lispac.simulation.closed_form import Board
 from lispac.workflow.campaign import mapper_of
-from lispac.workflow.designing import remarks_on, write_design
+from lispac.workflow.plan_checks import remarks_on, write_design
 from lispac.workflow.simulated_setup import file_of
 
 

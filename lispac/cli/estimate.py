@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.doubts import doubts
 from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
 from lispac.adjustment.result import (
     ANGLES,
@@ -27,6 +26,7 @@ from lispac.adjustment.shown import (
     plain,
 )
 from lispac.adjustment.solver import adjust
+from lispac.adjustment.warnings import doubts
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
 from lispac.cli.estimate_options import noise_and_offsets
 from lispac.cli.qualities import as_list, print_doubtful

@@ -7,7 +7,7 @@ from typing import Any
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.message_texts import message_text
 from lispac.workflow.export_request import system_of
-from lispac.workflow.exporting import (
+from lispac.workflow.exported_files import (
     SBET_ZEROS,
     export_planes,
     export_targets,

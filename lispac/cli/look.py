@@ -11,7 +11,7 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_numbers
 from lispac.message_texts import fact_text, message_text
 from lispac.workflow.file_audit import audit_messages_of
-from lispac.workflow.reading import Look, looks
+from lispac.workflow.file_reading import FileCheck, looks
 
 SWITCH = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
 WIDEST = 14  # characters of a cell of the preview
@@ -31,7 +31,7 @@ def look(arguments: Namespace) -> None:
             _print(item)
 
 
-def _audited(path: Path, found: Sequence[Look]) -> list[Look]:
+def _audited(path: Path, found: Sequence[FileCheck]) -> list[FileCheck]:
     """The same with what all points of the file show, where the surest format has points."""
     items = list(found)
     if items and items[0].finding is not None and items[0].format.kind == "points":
@@ -42,7 +42,7 @@ def _audited(path: Path, found: Sequence[Look]) -> list[Look]:
     return items
 
 
-def _print(item: Look) -> None:
+def _print(item: FileCheck) -> None:
     sure = "certainly" if item.sureness >= 1 else "probably" if item.sureness > 0.5 else "perhaps"
     name = message_text(item.format.name)
     print(f"\n{sure} {name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
@@ -64,7 +64,7 @@ def _print(item: Look) -> None:
         print(f"  {message.level}: {plain(message_text(message))}")
 
 
-def _numbers(item: Look) -> dict[str, Any]:
+def _numbers(item: FileCheck) -> dict[str, Any]:
     finding = item.finding
     messages = (*finding.doubts, *finding.messages) if finding else ()
     return {

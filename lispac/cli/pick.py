@@ -22,8 +22,8 @@ from lispac.workflow import picking, projects
 from lispac.workflow.coordinates import require_near
 from lispac.workflow.export_request import system_of
 from lispac.workflow.qualities import judge_target
-from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import load_survey
+from lispac.workflow.target_search import thinned_notes
 from lispac.workflow.target_systems import LOCAL
 
 

@@ -19,8 +19,8 @@ from lispac.workflow.seed_lists import (
     require_found,
     require_free,
 )
-from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_search import thinned_notes
 
 
 def pick_list(

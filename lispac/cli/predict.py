@@ -12,7 +12,7 @@ from lispac.design.prediction import predict as foretold
 from lispac.design.search import worth
 from lispac.io.plan_file import read_plan
 from lispac.message_texts import message_text
-from lispac.workflow.designing import cautions, remarks_on
+from lispac.workflow.plan_checks import cautions, remarks_on
 
 
 def predict(arguments: Namespace) -> None:

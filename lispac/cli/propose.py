@@ -13,9 +13,9 @@ from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.workflow import projects
-from lispac.workflow.proposing import propose as proposal_for
-from lispac.workflow.seeking import thinned_notes
+from lispac.workflow.proposals import propose as proposal_for
 from lispac.workflow.survey import load_survey
+from lispac.workflow.target_search import thinned_notes
 
 
 def propose(arguments: Namespace) -> None:

@@ -8,7 +8,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.design.scenarios import SCENARIOS, Outcome, outcomes, thesis_setting
 from lispac.io.plan_file import read_plan
-from lispac.workflow.designing import write_scenarios
+from lispac.workflow.plan_checks import write_scenarios
 
 
 def scenarios(arguments: Namespace) -> None:

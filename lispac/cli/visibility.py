@@ -12,7 +12,7 @@ from lispac.report.blocks import Table
 from lispac.report.visibility_tables import all_errors_in_words, comparison_table
 from lispac.simulation.thesis_answers import Compared, compared_with_thesis
 from lispac.simulation.thesis_site import SITES
-from lispac.simulation.visibility_study import Best
+from lispac.simulation.visibility_study import BestConfiguration
 from lispac.simulation.visibility_study import visibility as study
 from lispac.workflow.visibility import write_visibility
 
@@ -59,7 +59,7 @@ def visibility(arguments: Namespace) -> None:
     print(f"{len(written)} files in {arguments.output}")
 
 
-def _best(best: Best) -> dict[str, Any]:
+def _best(best: BestConfiguration) -> dict[str, Any]:
     chosen = best.inclination
     return {
         "error": best.error,

@@ -41,7 +41,7 @@ class Choice:
 
 
 @dataclass(frozen=True, eq=False)
-class Space:
+class DesignSpace:
     """All plans that a site allows."""
 
     site: Site

@@ -82,7 +82,7 @@ class Prediction:
 
 def predict(plan: Plan) -> Prediction:
     """Sigmas of roll, pitch and yaw that the adjustment would state after a survey."""
-    seen = _Seen.of(plan)
+    seen = _PlanSightings.of(plan)
     if not seen.sightings:
         return Prediction(np.zeros((3, 3)), {})
     with one_thread():
@@ -101,7 +101,7 @@ def foretold(plan: Plan) -> Linearised:
     RankDeficient
         No target is seen on any line.
     """
-    seen = _Seen.of(plan)
+    seen = _PlanSightings.of(plan)
     if not seen.sightings:
         raise RankDeficient(UNSEEN)
     with one_thread():
@@ -109,7 +109,7 @@ def foretold(plan: Plan) -> Linearised:
 
 
 @dataclass(frozen=True, eq=False)
-class _Seen:
+class _PlanSightings:
     """The sightings of a plan: points that stand for all, and how many each stands for."""
 
     plan: Plan
@@ -119,7 +119,7 @@ class _Seen:
     on_course: list[Course]
 
     @classmethod
-    def of(cls, plan: Plan) -> "_Seen":
+    def of(cls, plan: Plan) -> "_PlanSightings":
         seen = cls(plan, [], {}, [], [])
         courses = plan.courses
         for target in plan.targets:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.design.choices import NO_PLAN, Choice, Space, faces_one_way
+from lispac.design.choices import NO_PLAN, Choice, DesignSpace, faces_one_way
 from lispac.design.objective import Objective
 from lispac.design.plan import Plan
 from lispac.design.prediction import Prediction, predict
@@ -41,7 +41,7 @@ HARDLY = 1e-3
 
 
 @dataclass(frozen=True)
-class Worth:
+class InformationGain:
     """What a target or a line is worth: the number of the plan without it, radians.
 
     Infinite where an angle would be left open.
@@ -81,7 +81,7 @@ class Design:
         Whether all plans were looked at, so that none is better.
     looked_at : int
         Plans.
-    worth : tuple of Worth
+    worth : tuple of InformationGain
         Of each target and each line, the most valuable first.
     front : tuple of Step
         The best plans found for less and less time; the first is the plan.
@@ -92,7 +92,7 @@ class Design:
     value: float
     exact: bool
     looked_at: int
-    worth: tuple[Worth, ...]
+    worth: tuple[InformationGain, ...]
     front: tuple[Step, ...]
 
 
@@ -124,8 +124,8 @@ def search(
     RankDeficient
         No plan that the site allows determines the boresight.
     """
-    space = Space(site, objective or Objective())
-    counted = _Counted(mapper, progress, min(plans, space.size))
+    space = DesignSpace(site, objective or Objective())
+    counted = _CountingMapper(mapper, progress, min(plans, space.size))
     exact = space.size <= EXACTLY
     if exact:
         chosen = _enumerated(space, counted)
@@ -150,22 +150,22 @@ def search(
 
 def worth(
     plan: Plan, objective: Objective, *, progress: Progress = no_progress
-) -> tuple[Worth, ...]:
+) -> tuple[InformationGain, ...]:
     """What each target and each line is worth, the most valuable first."""
-    found: list[Worth] = []
+    found: list[InformationGain] = []
     every = len(plan.targets) + len(plan.lines)
     for k, target in enumerate(plan.targets):
         progress(len(found) / every)
         others = plan.with_targets((*plan.targets[:k], *plan.targets[k + 1 :]))
-        found.append(Worth(target.name, objective.if_determined(others)))
+        found.append(InformationGain(target.name, objective.if_determined(others)))
     for k, course in enumerate(plan.courses):
         progress(len(found) / every)
         others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
-        found.append(Worth(course.name, objective.if_determined(others)))
+        found.append(InformationGain(course.name, objective.if_determined(others)))
     return tuple(sorted(found, key=lambda each: -each.without))
 
 
-class _Counted:
+class _CountingMapper:
     """A mapper that counts what it was asked, and reports."""
 
     def __init__(self, mapper: Mapper, progress: Progress, expected: int) -> None:
@@ -191,24 +191,24 @@ class _Counted:
         return found
 
 
-def _enumerated(space: Space, mapper: Mapper) -> Choice:
+def _enumerated(space: DesignSpace, mapper: Mapper) -> Choice:
     choices = list(space.all())
     values = list(mapper(space.value, choices))
     return choices[int(np.argmin(values))]
 
 
 @dataclass(frozen=True, eq=False)
-class _OfGenes:
+class _GeneObjective:
     """The number of genes; a value that processes can be sent."""
 
-    space: Space
+    space: DesignSpace
 
     def __call__(self, genes: Array) -> float:
         return self.space.value(self.space.choice(genes))
 
 
 def _evolved(
-    space: Space, mapper: Mapper, plans: int, seed: int, start: Plan | None
+    space: DesignSpace, mapper: Mapper, plans: int, seed: int, start: Plan | None
 ) -> list[Choice]:
     """The best of the last generation, no two alike."""
     from scipy.optimize import differential_evolution
@@ -216,7 +216,7 @@ def _evolved(
     known = None if start is None else space.nearest(start)
     generations = max(plans // (POPULATION * len(space.widths)) - 1, 1)
     result = differential_evolution(
-        _OfGenes(space),
+        _GeneObjective(space),
         [(0, width - 1) for width in space.widths],
         integrality=True,
         popsize=POPULATION,
@@ -234,7 +234,7 @@ def _evolved(
     return list(choices)[:IMPROVED]
 
 
-def _exchanged(space: Space, choice: Choice, mapper: Mapper) -> Choice:
+def _exchanged(space: DesignSpace, choice: Choice, mapper: Mapper) -> Choice:
     """The choice after all exchanges of one board or line that help."""
     value = space.value(choice)
     improved = True

@@ -59,15 +59,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setDesktopFileName("lispac")
 
     message = caches.use(os.environ)
-    gc.disable()  # `Tidying` takes over; among what is imported there is nothing to be found
+    gc.disable()  # `GarbageCollection` takes over; what is imported holds no garbage
+    from lispac.gui.garbage_collection import GarbageCollection
     from lispac.gui.logbook import Logbook
     from lispac.gui.session import Session
-    from lispac.gui.tidying import Tidying
-    from lispac.gui.viewport.late import LateViewport
+    from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.message_texts import message_text
 
-    tidying = Tidying(application)
-    session = Session(application, lambda: LateViewport(_viewport))
+    tidying = GarbageCollection(application)
+    session = Session(application, lambda: LazyViewport(_viewport))
     # It is there when the first project has been read, and the window is drawn before
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
     QTimer.singleShot(IMPORT_AFTER_MS, importing.start)

@@ -12,10 +12,10 @@ from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.document import Document
 from lispac.gui.panels.histograms import preload
 from lispac.gui.scene import Scene
+from lispac.gui.seed_options import SeedOptions
 from lispac.gui.settings import AppSettings
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.gui.viewport.base import PickedPoint
-from lispac.gui.wishes import Wishes
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
@@ -23,8 +23,8 @@ from lispac.progress import Progress, part
 from lispac.project import LineSource, Project, Settings, Target, Triple
 from lispac.workflow import edits
 from lispac.workflow.intake import ImportRequest
-from lispac.workflow.seeking import thinned_notes
 from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.target_search import thinned_notes
 
 Opened = tuple[Project, Survey]
 
@@ -280,7 +280,7 @@ class Controller(QObject):
 
     # -- seeds -------------------------------------------------------------------------------
 
-    def seed(self, point: PickedPoint, wishes: Wishes) -> None:
+    def seed(self, point: PickedPoint, wishes: SeedOptions) -> None:
         """Find the target under a click and offer it.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
@@ -289,7 +289,7 @@ class Controller(QObject):
         if self._may_seed():
             self._seek(self._scene.to_prior(point), wishes, first_line=point.line)
 
-    def seek(self, position: Triple, wishes: Wishes, *, name: str = "") -> None:
+    def seek(self, position: Triple, wishes: SeedOptions, *, name: str = "") -> None:
         """Find the target at a place and offer it; with no ``name`` it gets the next free one.
 
         Parameters
@@ -301,7 +301,7 @@ class Controller(QObject):
     def _seek(
         self,
         position: Callable[[], Triple],
-        wishes: Wishes,
+        wishes: SeedOptions,
         *,
         name: str = "",
         first_line: str | None = None,

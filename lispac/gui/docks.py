@@ -6,7 +6,7 @@ from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
-from lispac.gui.tabbing import go_into
+from lispac.gui.tab_order import go_into
 from lispac.language import N_, gettext
 
 Area = Qt.DockWidgetArea

@@ -10,11 +10,11 @@ from lispac.errors import LispacError
 from lispac.gui.actions import Actions
 from lispac.gui.clipping import Clipping
 from lispac.gui.document import Document
-from lispac.gui.pointing import Pointing
+from lispac.gui.mouse_tool import MouseTool
 from lispac.gui.scene import Scene
 from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, Plural, gettext
-from lispac.workflow.editing import with_points, without_points
+from lispac.workflow.point_edits import with_points, without_points
 
 TOOLS = ("lasso_add", "lasso_remove")
 NOTHING_SELECTED = N_("Select a target first, then draw around its points.")
@@ -47,7 +47,7 @@ class Lasso(QObject):
         scene: Scene,
         viewport: Viewport,
         actions: Actions,
-        pointing: Pointing,
+        pointing: MouseTool,
         clipping: Clipping,
         note: Callable[[str], None],
         refuse: Callable[[LispacError], None],

@@ -7,22 +7,20 @@ from PySide6.QtCore import QSize, Qt, QUrl, Signal
 from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
 from PySide6.QtWidgets import QMainWindow
 
-from lispac.gui import docks, status, tabbing
+from lispac.gui import docks, status, tab_order
 from lispac.gui.actions import Actions
-from lispac.gui.cautioning import Cautioning
-from lispac.gui.computing import Computing
+from lispac.gui.central_widget import CentralWidget
+from lispac.gui.computations import Computations
 from lispac.gui.controller import Controller
-from lispac.gui.designing import Designing
+from lispac.gui.desktop_notifications import DesktopNotifications
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.drops import FileDrops
-from lispac.gui.estimating import Estimating
-from lispac.gui.life import ProjectLife
+from lispac.gui.estimation import Estimation
 from lispac.gui.logbook import LOG
 from lispac.gui.logbook import NAME as LOG_NAME
-from lispac.gui.looking import Looking
 from lispac.gui.manual import Manual
-from lispac.gui.notifying import Notifying
+from lispac.gui.panel_refresh import PanelRefresh
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.convention import TITLE as CONVENTION
 from lispac.gui.panels.convention import ConventionPanel
@@ -41,15 +39,15 @@ from lispac.gui.panels.warnings import TITLE as WARNINGS
 from lispac.gui.panels.warnings import WarningsPanel
 from lispac.gui.panels.workflow import WorkflowPanel
 from lispac.gui.preferences import Preferring
-from lispac.gui.reporting import Reporting
-from lispac.gui.safekeeping import Safekeeping
+from lispac.gui.project_lifecycle import ProjectLifecycle
+from lispac.gui.recovery_copies import RecoveryCopies
+from lispac.gui.report_export import ReportExport
 from lispac.gui.scene import Scene
-from lispac.gui.scripting import Scripting
+from lispac.gui.script_export import ScriptExport
 from lispac.gui.second_opinions import SecondOpinions
-from lispac.gui.seeding import Seeding
+from lispac.gui.seeds import SeedActions
 from lispac.gui.settings import AppSettings
-from lispac.gui.showing import Showing
-from lispac.gui.stage import Stage
+from lispac.gui.site_design import SiteDesign
 from lispac.gui.statusbar import TaskBar
 from lispac.gui.studies import Studies
 from lispac.gui.target_work import TargetWork
@@ -57,8 +55,10 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import undressed
 from lispac.gui.tools import Tools
 from lispac.gui.tour import Tour
+from lispac.gui.view_menu import ViewMenu
 from lispac.gui.viewing_actions import STEP_ACTIONS, THEMED
 from lispac.gui.viewport.base import PickedPoint, Viewport
+from lispac.gui.warning_list import WarningList
 from lispac.language import current_language, gettext
 
 Area = Qt.DockWidgetArea
@@ -101,36 +101,36 @@ class MainWindow(QMainWindow):
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
-        self.computing = Computing(self.document, self.runner, self.scene, self.controller)
-        self.estimating = Estimating(self.document, self.runner, self.scene, self.controller)
-        self.life = ProjectLife(
+        self.computing = Computations(self.document, self.runner, self.scene, self.controller)
+        self.estimating = Estimation(self.document, self.runner, self.scene, self.controller)
+        self.life = ProjectLifecycle(
             self.document, self.controller, self.computing, self.estimating, self.scene,
             self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
         self.actions_[THEMED[self.settings.theme]].setChecked(True)
-        self.looking = Looking(viewport, self.scene, self.controller, self.actions_, self.settings)
+        self.looking = ViewMenu(viewport, self.scene, self.controller, self.actions_, self.settings)
         self.tools = Tools(self)
         with undressed():
             self._build()
         self._join_panels()
         self._join_actions()
         self._join_work()
-        self.showing = Showing(self)
+        self.showing = PanelRefresh(self)
         self.target_work = TargetWork(self)
-        Seeding(self)
-        Reporting(self)
+        SeedActions(self)
+        ReportExport(self)
         Studies(self)
         SecondOpinions(self)
-        Scripting(self)
+        ScriptExport(self)
         Preferring(self)
         Manual(self)
-        self.designing = Designing(self)
-        self.safekeeping = Safekeeping(self)
-        self.cautioning = Cautioning(self)
+        self.designing = SiteDesign(self)
+        self.safekeeping = RecoveryCopies(self)
+        self.cautioning = WarningList(self)
         self.cautioning.selected.connect(self._select)
-        self.notifying = Notifying(self, self.runner)
+        self.notifying = DesktopNotifications(self, self.runner)
         self.tour = Tour(self, self.stage.card)
         FileDrops(self).dropped.connect(self.life.take_in)
         if document is None:
@@ -150,7 +150,7 @@ class MainWindow(QMainWindow):
         self.convention = ConventionPanel()
         self.table, self.histograms = SightingsTable(), HistogramsPanel()
         self.diagnostics = DiagnosticsPanel()
-        self.stage = Stage(self.viewport)
+        self.stage = CentralWidget(self.viewport)
         self.setCentralWidget(self.stage)
         self.task_bar = TaskBar()
         self.setStatusBar(self.task_bar)
@@ -196,11 +196,11 @@ class MainWindow(QMainWindow):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         """Tab and Shift+Tab."""
-        return tabbing.go_on(self, forward)
+        return tab_order.go_on(self, forward)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter, where what has the focus makes nothing of it."""
-        if not tabbing.enter(self, event):
+        if not tab_order.enter(self, event):
             super().keyPressEvent(event)
 
     def _join_panels(self) -> None:

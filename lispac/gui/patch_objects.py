@@ -15,7 +15,7 @@ from lispac.language import N_, gettext
 from lispac.patchtest.boxes import SMALLEST, Box, checked
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.patch_test import Laid, lay, propose
+from lispac.workflow.patch_test import PlacedObjects, lay, propose
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
@@ -42,7 +42,10 @@ class PatchObjects(QObject):
     """All objects, and the name of the one to look at, or ""."""
 
     def __init__(
-        self, window: "MainWindow", panel: PatchTestPanel, present: Callable[[], Laid | None]
+        self,
+        window: "MainWindow",
+        panel: PatchTestPanel,
+        present: Callable[[], PlacedObjects | None],
     ) -> None:
         super().__init__(window)
         self._window, self._present = window, present
@@ -66,7 +69,7 @@ class PatchObjects(QObject):
         )
         self._controller.based_on_project(task)
 
-    def _take_proposed(self, laid: Laid) -> None:
+    def _take_proposed(self, laid: PlacedObjects) -> None:
         """In place of those found before; boxes laid by hand stay."""
         before = self._present()
         own = [] if before is None else [o.name for o in before.objects if o.name[0] == BY_HAND]
@@ -119,7 +122,7 @@ class PatchObjects(QObject):
         name = next(n for k in count(1) if (n := f"{BY_HAND}{k}") not in taken)
         shown = next(iter(self._scene.clouds.values())).place.mounting.boresight
 
-        def work(progress: Progress) -> Laid | str:
+        def work(progress: Progress) -> PlacedObjects | str:
             try:
                 found = lay(project, survey, [checked(name, box)], shown, progress=progress)
             except LispacError as error:
@@ -131,7 +134,7 @@ class PatchObjects(QObject):
                 )
             return found
 
-        def done(found: Laid | str) -> None:
+        def done(found: PlacedObjects | str) -> None:
             if isinstance(found, str):
                 self._controller.noted.emit(found)
                 return

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
-from lispac.gui.colouring import Scale
+from lispac.gui.point_colours import Scale
 from lispac.gui.settings import POINT_SIZE, THEMES, AppSettings
 from lispac.gui.viewport.decimation import Budget
 

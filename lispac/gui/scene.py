@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.geometry.neighbours import nearest_point
 from lispac.gui import theme
-from lispac.gui.colouring import Colouring, shading
 from lispac.gui.document import Document
+from lispac.gui.idle_tasks import IdleTask
+from lispac.gui.point_colours import Colouring, shading
 from lispac.gui.residuals import residual_reach, residual_shading
-from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Shading, Viewport
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
@@ -50,8 +50,8 @@ class Scene(QObject):
         self._shaded: Shaded | None = None
         """Colours that wait to be drawn."""
         # Once for all that changes in one: a new project has enough to show.
-        self._lines_due = Turn(self._put_lines, self)
-        self._targets_due = Turn(self._put_targets, self)
+        self._lines_due = IdleTask(self._put_lines, self)
+        self._targets_due = IdleTask(self._put_targets, self)
         document.left.connect(self._leave)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)

@@ -9,9 +9,9 @@ from lispac.errors import LispacError
 from lispac.gui import theme
 from lispac.gui.actions import Actions
 from lispac.gui.document import Document
+from lispac.gui.mouse_tool import MouseTool
 from lispac.gui.panels.histograms import preload
 from lispac.gui.panels.section import EMPTY, SectionPanel
-from lispac.gui.pointing import Pointing
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
@@ -36,7 +36,7 @@ class Sections(QObject):
         scene: Scene,
         viewport: Viewport,
         actions: Actions,
-        pointing: Pointing,
+        pointing: MouseTool,
         bring: Callable[[QObject], None],
     ) -> None:
         super().__init__(actions)

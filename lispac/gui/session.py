@@ -11,15 +11,15 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme, units
-from lispac.gui.carrying import carry_over
-from lispac.gui.colouring import use_scale
 from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.docks import show_all
+from lispac.gui.garbage_collection import collect_all
 from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
+from lispac.gui.point_colours import use_scale
 from lispac.gui.settings import AppSettings
-from lispac.gui.tidying import collect_all
 from lispac.gui.viewport.base import Viewport
+from lispac.gui.window_state import carry_over
 from lispac.io.project_file import UNSAVED_NAME
 
 LATER_MS = 500

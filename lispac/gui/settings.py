@@ -7,7 +7,7 @@ from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
 from lispac.foreign_values import json_values
-from lispac.gui.colouring import SCALES, Scale
+from lispac.gui.point_colours import SCALES, Scale
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language import LANGUAGES

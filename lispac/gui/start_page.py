@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.language import local_datetime
 from lispac.gui.panels import widgets
-from lispac.gui.tabbing import in_turn
+from lispac.gui.tab_order import in_turn
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
 from lispac.language import N_, gettext
 

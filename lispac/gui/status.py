@@ -8,7 +8,7 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.project import Project
-from lispac.workflow.facing import face_one_way
+from lispac.workflow.orientation_check import face_one_way
 from lispac.workflow.survey import Survey
 
 State = Literal["empty", "todo", "done", "warning"]

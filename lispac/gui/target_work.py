@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from lispac.gui.judging import Judging
+from lispac.gui.sighting_quality import QualityComputation
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
@@ -13,7 +13,7 @@ from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
-    from lispac.workflow.proposing import Proposal
+    from lispac.workflow.proposals import Proposal
 
 
 class TargetWork(QObject):
@@ -24,7 +24,7 @@ class TargetWork(QObject):
         self._document, self._runner = window.document, window.runner
         self._controller, self._dialogs = window.controller, window.dialogs
         self._targets, self._actions = window.targets, window.actions_
-        self.judging = Judging(window.document, window.runner, self)
+        self.judging = QualityComputation(window.document, window.runner, self)
         self.judging.judged.connect(window.table.sightings.show_qualities)
         self.judging.candidate_judged.connect(window.targets.candidate.lights.show_qualities)
         window.controller.candidate_changed.connect(
@@ -57,8 +57,8 @@ class TargetWork(QObject):
             return
 
         def work(progress: Progress) -> "Proposal":
-            from lispac.workflow.accepting import not_picked
-            from lispac.workflow.proposing import propose
+            from lispac.workflow.proposal_acceptance import not_picked
+            from lispac.workflow.proposals import propose
 
             return not_picked(project, propose(project, survey, progress=progress))
 
@@ -97,7 +97,7 @@ class TargetWork(QObject):
         self._controller.based_on_project(task)
 
     def _offer(self, project: Project, proposal: "Proposal") -> None:
-        from lispac.workflow.accepting import with_accepted
+        from lispac.workflow.proposal_acceptance import with_accepted
 
         if self._document.project is not project:
             return

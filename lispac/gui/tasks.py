@@ -18,7 +18,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.errors import Cancelled
-from lispac.gui.tidying import GivingBack
+from lispac.gui.garbage_collection import MemoryTrimming
 from lispac.language import gettext
 from lispac.progress import Progress, Step
 
@@ -178,7 +178,7 @@ class TaskRunner(QObject):
         self.changed.emit()
 
     def _loop(self) -> None:
-        memory = GivingBack()
+        memory = MemoryTrimming()
         while (task := self._inbox.get()) is not None:
             try:
                 task.report(0.0)

@@ -6,19 +6,19 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.clipping import Clipping
-from lispac.gui.comparing import Comparing
+from lispac.gui.curtain import Curtain
 from lispac.gui.docks import raise_panel
-from lispac.gui.hovering import Hovering, PreviewSettings
+from lispac.gui.hover_preview import HoverPreview, PreviewSettings
 from lispac.gui.lasso import Lasso
-from lispac.gui.measuring import Measuring
+from lispac.gui.measurements import Measurements
+from lispac.gui.mouse_tool import MouseTool
 from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.patch_test import TITLE as PATCH_TEST
 from lispac.gui.panels.section import TITLE as SECTION
-from lispac.gui.patching import Patching
+from lispac.gui.patch_test import PatchTestController
 from lispac.gui.pictures import Pictures
-from lispac.gui.pointing import Pointing
-from lispac.gui.roles import Roles
 from lispac.gui.sections import Sections
+from lispac.gui.target_roles import TargetRoles
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -31,28 +31,28 @@ class Tools(QObject):
         super().__init__(window)
         self._window = window
         view, actions, note = window.viewport, window.actions_, window.controller.noted.emit
-        self.pointing = Pointing(view, actions)
-        self.measuring = Measuring(view, actions, self.pointing, note)
+        self.pointing = MouseTool(view, actions)
+        self.measuring = Measurements(view, actions, self.pointing, note)
         self.sections = Sections(
             window.document, window.runner, window.scene, view, actions, self.pointing, raise_panel
         )
-        self.comparing = Comparing(
+        self.comparing = Curtain(
             window.document, window.scene, window.computing, view, actions, note
         )
         self.clipping = Clipping(window.scene, view, actions, raise_panel, note)
-        self.patching = Patching(window, raise_panel)
+        self.patching = PatchTestController(window, raise_panel)
         self.lasso = Lasso(
             window.document, window.scene, view, actions, self.pointing, self.clipping, note,
             window.controller.refused.emit,
         )  # fmt: skip
-        self.hovering = Hovering(
+        self.hovering = HoverPreview(
             window.document, window.runner, view, actions, self._preview_settings, window.controller
         )
         self.pictures = Pictures(
             window.document, window.runner, view, self.sections.panel, actions, window.dialogs,
             note,
         )  # fmt: skip
-        self.roles = Roles(
+        self.roles = TargetRoles(
             window.document, window.scene, actions, note, window.controller.refused.emit
         )
         window.scene.which_changed.connect(lambda _which: self.measuring.restart())

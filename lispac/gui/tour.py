@@ -17,7 +17,7 @@ from lispac.gui.status import TARGETS
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.facing import face_one_way
+from lispac.workflow.orientation_check import face_one_way
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

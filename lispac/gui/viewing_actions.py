@@ -1,6 +1,6 @@
 """Actions of the view: standard views, colours and measurements; the list of mouse and keys."""
 
-from lispac.gui.colouring import COLOURINGS
+from lispac.gui.point_colours import COLOURINGS
 from lispac.gui.settings import THEMES
 from lispac.gui.status import STEP_TITLES
 from lispac.language import N_

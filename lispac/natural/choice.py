@@ -56,7 +56,7 @@ class Choice:
 
 
 @dataclass(frozen=True, eq=False)
-class _Told:
+class _PatchInformation:
     """What each sighting of a patch tells.
 
     Attributes
@@ -137,7 +137,7 @@ def _gain(rows: Array, covariance: Array) -> Array:
 
 def _told(
     patches: Patches, number: Indices, clouds: Mapping[str, Cloud], accuracy: TrajectoryAccuracy
-) -> _Told:
+) -> _PatchInformation:
     planes, position = patches.planes, np.full(len(patches), -1)
     position[number] = np.arange(len(number))
     rows = np.flatnonzero(position[patches.patch] >= 0)
@@ -161,7 +161,7 @@ def _told(
     weight[owner[order], rank] = off[order] ** -2
     sighting[owner[order], rank] = rows[order]
     middle = (weight[:, :, None] * table).sum(axis=1) / weight.sum(axis=1)[:, None]
-    return _Told(np.sqrt(weight)[:, :, None] * (table - middle[:, None]), sighting)
+    return _PatchInformation(np.sqrt(weight)[:, :, None] * (table - middle[:, None]), sighting)
 
 
 def _derivatives(

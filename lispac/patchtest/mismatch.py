@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from lispac.geometry.knn import build_tree, local_planes
 from lispac.patchtest.pairs import LinePair
-from lispac.patchtest.sample import Sample, Seen
+from lispac.patchtest.sample import ObjectPoints, Sample
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -74,7 +74,7 @@ def neighbours(tree: "cKDTree") -> Neighbours:
     return np.asarray(tree.query(tree.data, min(NEIGHBOURS, tree.n))[1], dtype=np.intp)
 
 
-def surface_of(seen: Seen, placed: Array, near: Neighbours | None = None) -> Surface:
+def surface_of(seen: ObjectPoints, placed: Array, near: Neighbours | None = None) -> Surface:
     """The planes about the points of a line.
 
     Parameters
@@ -151,7 +151,9 @@ def distances(first: Surface, second: Surface, spacing: float) -> Distances:
     )
 
 
-def post_distances(first: Surface, second: Surface, seen: Seen, other: Seen) -> Distances:
+def post_distances(
+    first: Surface, second: Surface, seen: ObjectPoints, other: ObjectPoints
+) -> Distances:
     """How far the middles of a pole are apart across the beams, in slices along it.
 
     Its front, which both lines see, tells little of where it is along their courses; what a yaw
@@ -183,7 +185,7 @@ def post_distances(first: Surface, second: Surface, seen: Seen, other: Seen) -> 
     )
 
 
-def _slices(surface: Surface, seen: Seen) -> dict[int, Indices]:
+def _slices(surface: Surface, seen: ObjectPoints) -> dict[int, Indices]:
     """The points of a pole in each slice along it."""
     assert seen.axis is not None
     rows = np.flatnonzero(surface.inside)
@@ -212,12 +214,12 @@ class Block:
 
     Attributes
     ----------
-    first, second : Seen
+    first, second : ObjectPoints
     pair : LinePair
     """
 
-    first: Seen
-    second: Seen
+    first: ObjectPoints
+    second: ObjectPoints
     pair: LinePair
 
 

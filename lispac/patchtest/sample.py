@@ -41,7 +41,7 @@ STEP = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class ObjectPoints:
     """One object as one line sees it.
 
     Attributes
@@ -87,7 +87,7 @@ class Sample:
 
     Attributes
     ----------
-    seen : tuple of Seen
+    seen : tuple of ObjectPoints
         Sorted by object.
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     poses : Poses of n points
@@ -95,7 +95,7 @@ class Sample:
         Lever arm and offsets; the boresight is that with which points were taken.
     """
 
-    seen: tuple[Seen, ...]
+    seen: tuple[ObjectPoints, ...]
     points_lidar: Array
     poses: Poses
     mounting: Mounting
@@ -127,7 +127,7 @@ class Sample:
         most : int
             Points of a line about an object, about.
         """
-        seen: list[Seen] = []
+        seen: list[ObjectPoints] = []
         lidar: list[Array] = []
         position: list[Array] = []
         attitude: list[Array] = []
@@ -157,7 +157,9 @@ class Sample:
                 view = each.box.centre - poses.position.mean(axis=0)
                 view /= np.linalg.norm(view)
                 seen.append(
-                    Seen(each, line, begin, end, spacing, inside, middle, heading, view, axis)
+                    ObjectPoints(
+                        each, line, begin, end, spacing, inside, middle, heading, view, axis
+                    )
                 )
                 lidar.append(points_lidar)
                 position.append(poses.position)

@@ -19,7 +19,7 @@ from lispac.adjustment.message_parts import quantity
 from lispac.messages import Message, note
 from lispac.patchtest.mismatch import Mismatch
 from lispac.patchtest.optimise import ANGLES, LEVERAGE, require_told
-from lispac.patchtest.sample import Seen
+from lispac.patchtest.sample import ObjectPoints
 from lispac.patchtest.steps import Equations, equations
 from lispac.survey.trajectory import TrajectoryAccuracy
 
@@ -82,7 +82,7 @@ class ObjectFound:
 
 
 @dataclass(frozen=True, eq=False)
-class Known:
+class MinimumPrecision:
     """How well a minimum is known.
 
     Attributes
@@ -105,7 +105,7 @@ def known(
     accuracy: TrajectoryAccuracy,
     position_time: float,
     attitude_time: float,
-) -> Known:
+) -> MinimumPrecision:
     """Judge the minimum at ``boresight``, shape (3,), radians.
 
     Parameters
@@ -134,7 +134,7 @@ def known(
     covariance = None
     if len(parts) >= FEWEST:
         covariance = _bootstrap(parts, seen, roots)
-    return Known(covariance, np.sqrt(np.diag(total) / weight.sum()), objects)
+    return MinimumPrecision(covariance, np.sqrt(np.diag(total) / weight.sum()), objects)
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,7 +172,7 @@ def _pos_roots(
     mismatch: Mismatch, accuracy: TrajectoryAccuracy, position_time: float, attitude_time: float
 ) -> tuple[dict[int, int], Array]:
     """The row of each sighting, and roots of the covariance of their POS errors, (6, s, s)."""
-    seen: dict[int, Seen] = {
+    seen: dict[int, ObjectPoints] = {
         id(each): each for block in mismatch.blocks for each in (block.first, block.second)
     }
     time = np.array([each.time for each in seen.values()])

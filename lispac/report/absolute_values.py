@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from lispac.messages import Message
-from lispac.report.validation_values import Distances, Signed
-from lispac.validation.absolute import AbsoluteCheck, AbsoluteState, Explained, LineCheck
+from lispac.report.validation_values import Distances, SignedDistances
+from lispac.validation.absolute import AbsoluteCheck, AbsoluteState, LineCheck, SigmaSources
 from lispac.validation.absolute_remarks import remarks_on
 
 
@@ -20,7 +20,7 @@ class Uncertainty:
     total_m: float
 
     @classmethod
-    def of(cls, values: Explained) -> "Uncertainty":
+    def of(cls, values: SigmaSources) -> "Uncertainty":
         """The same figures."""
         return cls(
             values.reference, values.position, values.attitude, values.boresight, values.scatter,
@@ -33,7 +33,7 @@ class AgainstReference:
     """Lines against the reference with one boresight; see `AbsoluteState`."""
 
     distances: Distances
-    signed: Signed
+    signed: SignedDistances
     mean_interval95_m: float
     mean_significant: bool
     mean_sigma: Uncertainty
@@ -45,7 +45,7 @@ class AgainstReference:
         """The same figures."""
         return cls(
             Distances.of(state.distances),
-            Signed.of(state.signed),
+            SignedDistances.of(state.signed),
             state.interval_95,
             state.significant,
             Uncertainty.of(state.mean_sigma),

@@ -113,7 +113,7 @@ Block = Paragraph | Bullets | Table | Picture | Drawing | Signature
 
 
 @dataclass(frozen=True)
-class Furniture:
+class PageTexts:
     """Texts on every page, and titles that belong to no section."""
 
     made: str = "Made {when} by {program}"
@@ -164,4 +164,4 @@ class Document:
     page: Page = "a4"
     letterhead: Letterhead = NO_LETTERHEAD
     language: str = "en"
-    furniture: Furniture = Furniture()
+    furniture: PageTexts = PageTexts()

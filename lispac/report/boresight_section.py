@@ -4,7 +4,7 @@ from lispac.adjustment.parameters import SIGNIFICANT
 from lispac.language import N_, Plural, gettext
 from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, facts, rows
 from lispac.report.budget_section import budget_blocks
-from lispac.report.values import Adjustment, ExtraParameter, ReportContent, Seen
+from lispac.report.values import Adjustment, ExtraParameter, ObservabilityValues, ReportContent
 from lispac.report.wording import (
     UNKNOWN,
     cm,
@@ -175,7 +175,7 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
     return blocks
 
 
-def _observability(content: ReportContent, found: Seen) -> list[Block]:
+def _observability(content: ReportContent, found: ObservabilityValues) -> list[Block]:
     condition = gettext(
         "Condition number of the normal matrix of the angles: {number} (1 if all directions have "
         "the same sigma).",

@@ -13,7 +13,7 @@ import lispac
 from lispac.adjustment.critical import critical_w
 from lispac.adjustment.error_budget import ErrorBudget
 from lispac.adjustment.observability import one_facing
-from lispac.adjustment.older import refused_since
+from lispac.adjustment.outdated import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.doubles import doubts_of
 from lispac.language import N_, LazyText, gettext_lazy
@@ -23,7 +23,6 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Target
 from lispac.report.absolute_values import Absolute
 from lispac.report.budget_values import Budget
-from lispac.report.cautions import cautions_of
 from lispac.report.convention_values import in_convention, scanner_to_body
 from lispac.report.diagnostics import (
     components_of,
@@ -35,6 +34,7 @@ from lispac.report.diagnostics import (
 )
 from lispac.report.displacement import EFFECT_DISTANCES_M, effects, in_words_of_s44
 from lispac.report.opinion_values import MethodAnswer
+from lispac.report.report_warnings import cautions_of
 from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.report.validation_values import ValidationPlane, swath_overlap

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
-from lispac.validation.control_chart import Charted, limits
+from lispac.validation.control_chart import ChartedCalibration, limits
 from lispac.validation.repeatability import NORMAL_95
 
 AXES: Mapping[str, str] = {
@@ -25,7 +25,7 @@ DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
 
 def control_figure(
     days: Sequence[date],
-    charted: Sequence[Charted],
+    charted: Sequence[ChartedCalibration],
     figure: Figure | None = None,
 ) -> Figure:
     """Each angle with its 95 % interval, and the limits from the earlier calibrations.

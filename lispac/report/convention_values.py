@@ -7,7 +7,7 @@ import numpy as np
 from lispac.language import LazyText, gettext_lazy
 from lispac.messages import Message
 from lispac.project import Project
-from lispac.survey.conventions.conversion import Setup, Stated, state
+from lispac.survey.conventions.conversion import MountingInSystem, Setup, state
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, Status, system
 from lispac.survey.conventions.words import CHECK_FIRST, THESIS_MODE, offsets_note
 
@@ -113,14 +113,14 @@ def scanner_to_body(project: Project) -> ScannerToBody | None:
     )
 
 
-def _stated(project: Project, setup: Setup) -> Stated | None:
+def _stated(project: Project, setup: Setup) -> MountingInSystem | None:
     if project.result is None:
         return None
     covariance = np.asarray(project.result.covariance)[:3, :3]
     return state(project.mounting("estimated"), setup, covariance)
 
 
-def _angles(stated: Stated) -> tuple[StatedAngle, ...]:
+def _angles(stated: MountingInSystem) -> tuple[StatedAngle, ...]:
     if stated.angles is None:
         return ()
     sigmas = [None] * 3 if stated.sigmas is None else np.degrees(stated.sigmas).tolist()

@@ -19,7 +19,7 @@ from lispac.report.values import (
     CheckedPart,
     CrossChecked,
     ExtraParameter,
-    Seen,
+    ObservabilityValues,
     SightingCheck,
     VarianceComponent,
 )
@@ -56,11 +56,11 @@ def _times(factor: float, value: float | None) -> float | None:
     return None if value is None else factor * value
 
 
-def seen(observability: Observability | None) -> Seen | None:
+def seen(observability: Observability | None) -> ObservabilityValues | None:
     """Observability of the angles."""
     if observability is None:
         return None
-    return Seen(
+    return ObservabilityValues(
         direction_sigma_deg=_degrees(observability.eigenvalues**-0.5),
         directions=tuple(_floats(column) for column in observability.directions.T),
         condition=number(observability.condition),

@@ -14,8 +14,8 @@ from lispac.report.blocks import (
     Block,
     Document,
     Drawing,
-    Furniture,
     Letterhead,
+    PageTexts,
     Paragraph,
     Picture,
     Section,
@@ -103,7 +103,7 @@ def undrawn_document(
             options.heading,
         ),
         language=options.language,
-        furniture=Furniture(
+        furniture=PageTexts(
             made=gettext("Made {when} by {program}"),
             page=gettext("Page {page} of {pages}"),
             warnings=gettext("Warnings"),

@@ -19,7 +19,7 @@ from lispac.report.figures import (
     short_name,
 )
 from lispac.report.text_width import cut, fitted
-from lispac.report.validation_values import Mapped, ValidationPlane
+from lispac.report.validation_values import DistanceMapValues, ValidationPlane
 from lispac.validation.results import PlaneComparison
 
 Array = NDArray[np.float64]
@@ -48,7 +48,7 @@ def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Fig
 
     Before and after on one scale, and after on its own.
     """
-    return _maps(figure, comparison.name, [Mapped.of(each) for each in comparison.maps])
+    return _maps(figure, comparison.name, [DistanceMapValues.of(each) for each in comparison.maps])
 
 
 def map_figure_of(plane: ValidationPlane) -> Figure:
@@ -56,7 +56,7 @@ def map_figure_of(plane: ValidationPlane) -> Figure:
     return _maps(None, plane.name, plane.maps)
 
 
-def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped]) -> Figure:
+def _maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValues]) -> Figure:
     if not maps:
         figure = blank(figure, (WIDTH, 1.0))
         axes = figure.add_subplot()
@@ -98,7 +98,7 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[Mapped]) -> Figure:
 
 
 def _named(
-    maps: Sequence[Mapped], tall: bool, figure: Figure, panel: Axes
+    maps: Sequence[DistanceMapValues], tall: bool, figure: Figure, panel: Axes
 ) -> tuple[list[str], float]:
     """Name of each pair, and the size of the letters, so that none meets its neighbour."""
     box, inches = panel.get_position(original=True), figure.get_size_inches()
@@ -176,7 +176,7 @@ def _draw(axes: Axes, values: Array, end: float, cell: float) -> None:
     axes.locator_params(axis="x", nbins=4)
 
 
-def _grids(pair: Mapped) -> tuple[Array, Array]:
+def _grids(pair: DistanceMapValues) -> tuple[Array, Array]:
     """The cells before and after as pictures (up, across), NaN where there is no distance."""
     columns, rows = (np.floor(np.array(v) / pair.cell_m).astype(int) for v in _axes(pair))
     grids = []
@@ -187,11 +187,11 @@ def _grids(pair: Mapped) -> tuple[Array, Array]:
     return grids[0], grids[1]
 
 
-def _axes(pair: Mapped) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def _axes(pair: DistanceMapValues) -> tuple[tuple[float, ...], tuple[float, ...]]:
     return pair.across_m, pair.up_m
 
 
-def _size(pair: Mapped) -> Array:
+def _size(pair: DistanceMapValues) -> Array:
     """Width and height of what is drawn, metres."""
     return np.array([max(values) + pair.cell_m / 2 for values in _axes(pair)])
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.messages import Message
-from lispac.methods import Answer
+from lispac.methods import MethodResult
 
 Three = tuple[float, float, float]
 
@@ -34,7 +34,7 @@ class MethodAnswer:
     remarks: tuple[Message, ...]
 
     @classmethod
-    def of(cls, answer: Answer) -> "MethodAnswer":
+    def of(cls, answer: MethodResult) -> "MethodAnswer":
         """The same figures."""
         calibration, against = answer.calibration, answer.against
         return cls(

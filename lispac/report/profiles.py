@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from lispac.language import N_, gettext
 from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
-from lispac.report.validation_values import Against, ValidationPlane
+from lispac.report.validation_values import DistancesBySteps, ValidationPlane
 from lispac.validation.results import PlaneComparison
 
 CURVES: Mapping[tuple[str, str], str] = {
@@ -25,7 +25,7 @@ STYLES = {"median": "-", "p95": "--"}
 def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
     """Median (full) and 95th percentile (dashed) of the distances, before and after."""
     profiles = [
-        None if each is None else Against.of(each)
+        None if each is None else DistancesBySteps.of(each)
         for each in (comparison.by_height, comparison.by_range)
     ]
     return _profiles(figure, comparison.name, profiles)
@@ -36,7 +36,9 @@ def profile_figure_of(plane: ValidationPlane) -> Figure:
     return _profiles(None, plane.name, (plane.by_height, plane.by_range))
 
 
-def _profiles(figure: Figure | None, name: str, profiles: Sequence[Against | None]) -> Figure:
+def _profiles(
+    figure: Figure | None, name: str, profiles: Sequence[DistancesBySteps | None]
+) -> Figure:
     figure = blank(figure, (6.3, 2.3))
     drawn = [
         (each, across)
@@ -65,7 +67,7 @@ def _profiles(figure: Figure | None, name: str, profiles: Sequence[Against | Non
     return figure
 
 
-def _draw(axes: Axes, profile: Against) -> None:
+def _draw(axes: Axes, profile: DistancesBySteps) -> None:
     edges = np.array(profile.edges_m)
     middles = 0.5 * (edges[:-1] + edges[1:])
     for (statistic, state), label in CURVES.items():

@@ -17,7 +17,7 @@ from lispac.language import N_, gettext, in_language
 from lispac.report.blocks import Block, Column, Table, rows
 from lispac.report.document import document_of
 from lispac.report.options import USUAL, ReportOptions
-from lispac.report.validation_values import Against
+from lispac.report.validation_values import DistancesBySteps
 from lispac.report.values import ReportContent
 from lispac.report.wording import decimal_sign, group_sign
 
@@ -71,7 +71,7 @@ def histogram_tables(content: ReportContent) -> list[Table]:
     return made
 
 
-def _profile_table(title: str, profile: Against) -> Table:
+def _profile_table(title: str, profile: DistancesBySteps) -> Table:
     heads = (
         N_("From (m)"), N_("To (m)"), N_("Distances"), N_("Median before (mm)"),
         N_("Median after (mm)"), N_("95 % before (mm)"), N_("95 % after (mm)"),

@@ -44,7 +44,7 @@ class Distances:
 
 
 @dataclass(frozen=True)
-class Signed:
+class SignedDistances:
     """Distances of the first line from the second along the normal; see `SignedStatistics`."""
 
     places: int
@@ -56,7 +56,7 @@ class Signed:
     rms_m: float | None
 
     @classmethod
-    def of(cls, values: SignedStatistics) -> "Signed":
+    def of(cls, values: SignedStatistics) -> "SignedDistances":
         """The same figures."""
         return cls(
             values.n, values.mean, values.median, values.robust_sigma, values.half_width,
@@ -97,7 +97,7 @@ class State:
     """Two lines with one boresight; what could not be measured is None."""
 
     distances: Distances
-    signed: Signed | None
+    signed: SignedDistances | None
     planes: Planes | None
 
     @classmethod
@@ -105,7 +105,7 @@ class State:
         """The same figures."""
         return cls(
             Distances.of(state.distances),
-            None if state.signed is None else Signed.of(state.signed),
+            None if state.signed is None else SignedDistances.of(state.signed),
             None if state.planes is None else Planes.of(state.planes),
         )
 
@@ -129,7 +129,7 @@ class Pair:
 
 
 @dataclass(frozen=True)
-class Against:
+class DistancesBySteps:
     """Distances in steps of height or range; None where a step holds too few."""
 
     edges_m: tuple[float, ...]
@@ -140,7 +140,7 @@ class Against:
     p95_after_m: tuple[float | None, ...]
 
     @classmethod
-    def of(cls, profile: Profile) -> "Against":
+    def of(cls, profile: Profile) -> "DistancesBySteps":
         """The same figures."""
         return cls(
             tuple(profile.edges.tolist()),
@@ -156,7 +156,7 @@ class Against:
 
 
 @dataclass(frozen=True)
-class Mapped:
+class DistanceMapValues:
     """Distances of the first line from the second, cell by cell; see `DistanceMap`."""
 
     line_a: str
@@ -168,7 +168,7 @@ class Mapped:
     after_m: tuple[float, ...]
 
     @classmethod
-    def of(cls, values: DistanceMap) -> "Mapped":
+    def of(cls, values: DistanceMap) -> "DistanceMapValues":
         """The same figures."""
         figures = (values.across, values.up, values.before, values.after)
         return cls(values.line_a, values.line_b, values.cell, *(tuple(f.tolist()) for f in figures))
@@ -191,9 +191,9 @@ class ValidationPlane:
     bin_edges_m: tuple[float, ...]
     counts_before: tuple[int, ...]
     counts_after: tuple[int, ...]
-    by_height: Against | None
-    by_range: Against | None
-    maps: tuple[Mapped, ...] = ()
+    by_height: DistancesBySteps | None
+    by_range: DistancesBySteps | None
+    maps: tuple[DistanceMapValues, ...] = ()
 
     @classmethod
     def of(cls, plane: PlaneComparison) -> "ValidationPlane":
@@ -209,9 +209,9 @@ class ValidationPlane:
             bin_edges_m=tuple(map(float, plane.bin_edges)),
             counts_before=tuple(map(int, plane.counts_before)),
             counts_after=tuple(map(int, plane.counts_after)),
-            by_height=None if plane.by_height is None else Against.of(plane.by_height),
-            by_range=None if plane.by_range is None else Against.of(plane.by_range),
-            maps=tuple(map(Mapped.of, plane.maps)),
+            by_height=None if plane.by_height is None else DistancesBySteps.of(plane.by_height),
+            by_range=None if plane.by_range is None else DistancesBySteps.of(plane.by_range),
+            maps=tuple(map(DistanceMapValues.of, plane.maps)),
         )
 
 

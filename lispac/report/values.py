@@ -160,7 +160,7 @@ class ExtraParameter:
 
 
 @dataclass(frozen=True)
-class Seen:
+class ObservabilityValues:
     """Observability of the angles by lines and targets.
 
     The directions are combinations of roll, pitch and yaw, the weakest first. The sigmas without a
@@ -263,7 +263,7 @@ class Adjustment:
     estimated: tuple[str, ...]
     correlation_all: tuple[tuple[float, ...], ...]
     parameters: tuple[ExtraParameter, ...]
-    observability: Seen | None
+    observability: ObservabilityValues | None
     components: tuple[VarianceComponent, ...]
     critical_w: float | None
     reliability: tuple[SightingCheck, ...]

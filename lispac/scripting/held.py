@@ -9,7 +9,7 @@ from lispac.project import Project, Triple
 from lispac.workflow.survey import Survey, data_key, load_survey
 
 
-class Held:
+class LoadedProject:
     """A project with its survey, which is read when it is first needed.
 
     Parameters

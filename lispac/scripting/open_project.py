@@ -11,20 +11,20 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
 from lispac.messages import as_message, error
 from lispac.project import LineSource, Role, Shape, Target
-from lispac.scripting.held import Held
+from lispac.scripting.held import LoadedProject
 from lispac.targets.expected import ExpectedTarget
 from lispac.targets.settings import USUAL, FinderChoices
 from lispac.validation.absolute import AbsoluteCheck
 from lispac.validation.comparison import PlaneComparison
 from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
 from lispac.workflow import absolute, calibration, edits, picking, projects, validation
-from lispac.workflow.accepting import not_picked, with_accepted
 from lispac.workflow.coordinates import require_near
 from lispac.workflow.export import write_report
 from lispac.workflow.export_request import ENDINGS, ExportRequest, What, export, system_of
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.importing import import_lines
-from lispac.workflow.proposing import Proposal, propose
+from lispac.workflow.proposal_acceptance import not_picked, with_accepted
+from lispac.workflow.proposals import Proposal, propose
 from lispac.workflow.report_options import report_options
 from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.script import script_of
@@ -35,7 +35,7 @@ from lispac.workflow.target_systems import LOCAL
 AnyPath = str | Path
 
 
-class OpenProject(Held):
+class OpenProject(LoadedProject):
     """A project and its survey. Each step changes the project in memory; `save` writes it.
 
     A step that is refused raises `lispac.LispacError` with one plain sentence and changes nothing.

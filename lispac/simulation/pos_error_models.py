@@ -182,7 +182,7 @@ class Jumps:
 
 
 @dataclass(frozen=True)
-class Together:
+class CombinedModel:
     """Several models, independent of each other.
 
     Attributes
@@ -214,4 +214,4 @@ class Together:
 
 def together(parts: Sequence[PosErrors]) -> PosErrors:
     """One model of several; a single one stays as it is."""
-    return parts[0] if len(parts) == 1 else Together(tuple(parts))
+    return parts[0] if len(parts) == 1 else CombinedModel(tuple(parts))

@@ -171,7 +171,7 @@ class _Hits:
         return cls(*(np.concatenate(column) for column in columns))
 
 
-class _Met(NamedTuple):
+class _Intersections(NamedTuple):
     """Rays and what they meet; label -1 where that is nothing."""
 
     origins: Array
@@ -185,17 +185,17 @@ class _Met(NamedTuple):
         """Where they meet it, shape (n, 3), metres, local."""
         return np.asarray(self.origins + self.distance[:, None] * self.directions)
 
-    def of(self, chosen: NDArray[np.intp]) -> "_Met":
+    def of(self, chosen: NDArray[np.intp]) -> "_Intersections":
         """Some of the rays."""
-        return _Met(
+        return _Intersections(
             self.origins[chosen], self.directions[chosen], self.distance[chosen],
             self.label[chosen], self.cosine[chosen],
         )  # fmt: skip
 
-    def or_else(self, other: "_Met") -> "_Met":
+    def or_else(self, other: "_Intersections") -> "_Intersections":
         """The other's rays where these meet nothing, beside a rim."""
         meets = self.label >= 0
-        return _Met(
+        return _Intersections(
             np.where(meets[:, None], self.origins, other.origins),
             np.where(meets[:, None], self.directions, other.directions),
             np.where(meets, self.distance, other.distance),
@@ -271,7 +271,7 @@ def _met(
     knots, position, attitude = states
     poses = np.hstack([position, attitude])
 
-    def met(time: Array, angle: Array, elevation: Array) -> _Met:
+    def met(time: Array, angle: Array, elevation: Array) -> _Intersections:
         """Where these pulses go, and what they meet."""
         at = time + mounting.latency
         # Only the samples around: the kernel walks through them pulse by pulse.
@@ -282,7 +282,9 @@ def _met(
             at, angle, elevation, scanner.axis == "x", knots[first:last], poses[first:last],
             rotation_body_lidar, mounting.lever_arm, origins, directions,
         )  # fmt: skip
-        return _Met(origins, directions, *scene.intersect(origins, directions, scanner.max_range))
+        return _Intersections(
+            origins, directions, *scene.intersect(origins, directions, scanner.max_range)
+        )
 
     parts = []
     angles, delay, beams = scanner.turn(starboard)

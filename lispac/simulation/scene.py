@@ -7,8 +7,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.simulation.casting import cast
 from lispac.simulation.meshes import Mesh, MeshCaster
+from lispac.simulation.ray_casting import cast
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)

@@ -19,7 +19,7 @@ from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan
 from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.vessel import Motion
-from lispac.simulation.voyage import Replayed, Sailed, Voyage
+from lispac.simulation.voyage import RecordedTrajectory, SailedTrajectory, Voyage
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -179,7 +179,7 @@ def port_survey(
         As for `simulated`.
     """
     setup = Setup(
-        ORIGIN, port_scene(), TARGETS, VALIDATION, Sailed(six_passes(), POS_HEIGHT),
+        ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_passes(), POS_HEIGHT),
         HYDROGRAPHIC_INS, Scanner(points_per_second),
         Mounting(np.array(LEVER_ARM), np.radians(boresight_deg)),
     )  # fmt: skip
@@ -213,7 +213,7 @@ def simulated(
         Where the trajectory does not cover the lines.
     """
     voyage, scene = setup.voyage, setup.scene
-    if isinstance(voyage, Replayed):
+    if isinstance(voyage, RecordedTrajectory):
         voyage.require_inside(setup.mounting.latency)
     legs = voyage.legs
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + len(legs))

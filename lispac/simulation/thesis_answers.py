@@ -10,11 +10,11 @@ from itertools import combinations
 import numpy as np
 
 from lispac.messages import Message, note
-from lispac.simulation.visibility_study import Best, Visibility, fewest_lines
+from lispac.simulation.visibility_study import BestConfiguration, Visibility, fewest_lines
 
 
 @dataclass(frozen=True)
-class Stated:
+class ThesisValue:
     """What the thesis says of one error.
 
     Attributes
@@ -32,22 +32,22 @@ class Stated:
     kept_deg: tuple[int, int]
 
 
-STATED: Mapping[str, Mapping[str, Stated]] = {
+STATED: Mapping[str, Mapping[str, ThesisValue]] = {
     "terrestrial": {
-        "roll": Stated((0, 180, 45, 225), (-40, -40), (-60, 30)),
-        "pitch": Stated((0, 45, 225), (0, 0), (-90, 20)),
-        "yaw": Stated((0, 45, 315), (0, 0), (-60, 30)),
-        "lever_x": Stated((0, 45, 225), (0, 0), (-90, 30)),
-        "lever_y": Stated((0, 180, 45, 225), (0, 0), (-90, 30)),
-        "lever_z": Stated((), None, (-90, 30)),
-        "range_offset": Stated((180, 225), (-60, -60), (-40, 10)),
-        "scan_angle_offset": Stated((0, 180, 45, 225), (-50, -50), (-50, 10)),
+        "roll": ThesisValue((0, 180, 45, 225), (-40, -40), (-60, 30)),
+        "pitch": ThesisValue((0, 45, 225), (0, 0), (-90, 20)),
+        "yaw": ThesisValue((0, 45, 315), (0, 0), (-60, 30)),
+        "lever_x": ThesisValue((0, 45, 225), (0, 0), (-90, 30)),
+        "lever_y": ThesisValue((0, 180, 45, 225), (0, 0), (-90, 30)),
+        "lever_z": ThesisValue((), None, (-90, 30)),
+        "range_offset": ThesisValue((180, 225), (-60, -60), (-40, 10)),
+        "scan_angle_offset": ThesisValue((0, 180, 45, 225), (-50, -50), (-50, 10)),
     },
     # Vertical or near it; of the three pairs of 4.4.1.1 the one that shows the angle.
     "marine": {
-        "roll": Stated((0, 180), (-10, 10), (0, 90)),
-        "pitch": Stated((45, 225), (-10, 10), (0, 90)),
-        "yaw": Stated((45, 135), (-10, 10), (0, 90)),
+        "roll": ThesisValue((0, 180), (-10, 10), (0, 90)),
+        "pitch": ThesisValue((45, 225), (-10, 10), (0, 90)),
+        "yaw": ThesisValue((45, 135), (-10, 10), (0, 90)),
     },
 }
 
@@ -75,8 +75,8 @@ class Compared:
         Where they do not agree.
     """
 
-    best: Best
-    stated: Stated
+    best: BestConfiguration
+    stated: ThesisValue
     lines_agree: bool
     inclination_agrees: bool
     reason: Message | None
@@ -106,7 +106,7 @@ def lines_for_all_agree(found: Visibility) -> bool:
     return {frozenset(lines) for lines in sets} == ALL_ERRORS
 
 
-def _reason(found: Visibility, best: Best, stated: Stated) -> Message:
+def _reason(found: Visibility, best: BestConfiguration, stated: ThesisValue) -> Message:
     """What there is to see at both inclinations, and why they differ where that is known."""
     degrees = np.round(np.degrees(found.site.inclinations)).astype(int)
     places = []

@@ -65,7 +65,9 @@ class Visibility:
     orthogonal_distance: Array
     angular_deviation: Array
 
-    def best(self, error: str, considered: tuple[float, float] = (-np.inf, np.inf)) -> "Best":
+    def best(
+        self, error: str, considered: tuple[float, float] = (-np.inf, np.inf)
+    ) -> "BestConfiguration":
         """The best configuration for an error.
 
         Parameters
@@ -77,8 +79,10 @@ class Visibility:
         low, high = considered
         chosen = self._most_visible(error, [each for each in kept if low <= each <= high])
         if chosen is None:
-            return Best(error, kept, None, (HEADINGS_DEG,))
-        return Best(error, kept, self.site.inclinations[chosen], self.groups(error, chosen))
+            return BestConfiguration(error, kept, None, (HEADINGS_DEG,))
+        return BestConfiguration(
+            error, kept, self.site.inclinations[chosen], self.groups(error, chosen)
+        )
 
     def kept(self, error: str) -> tuple[float, ...]:
         """Inclinations that Type I keeps: next to each other, about the upright board, radians."""
@@ -135,7 +139,7 @@ class Visibility:
 
 
 @dataclass(frozen=True)
-class Best:
+class BestConfiguration:
     """The best configuration for one error.
 
     Attributes
@@ -202,7 +206,7 @@ def visibility(
     return Visibility(site, beams, points, planarity, centroidal, good, orthogonal, angular)
 
 
-def fewest_lines(found: Sequence[Best]) -> tuple[tuple[int, ...], ...]:
+def fewest_lines(found: Sequence[BestConfiguration]) -> tuple[tuple[int, ...], ...]:
     """The smallest sets of lines, headings in degrees, that see every error any lines can see."""
     visible = [best for best in found if best.inclination is not None]
     for count in range(1, len(HEADINGS_DEG) + 1):

@@ -53,7 +53,7 @@ class Voyage(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class Sailed:
+class SailedTrajectory:
     """Passes sailed one after the other (see `lispac.simulation.vessel.sail`).
 
     Attributes
@@ -102,7 +102,7 @@ class Stretch:
 
 
 @dataclass(frozen=True, eq=False)
-class Replayed:
+class RecordedTrajectory:
     """A recorded trajectory taken for the truth.
 
     Attributes

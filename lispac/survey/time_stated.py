@@ -42,7 +42,7 @@ def base_message(base: TimeBase) -> Message:
 
 
 @dataclass(frozen=True)
-class Known:
+class KnownTimeBase:
     """What is known of the time base of a file.
 
     Attributes
@@ -75,7 +75,7 @@ class Known:
         return note("time_base.of_file", base=name)
 
 
-def contradiction(times: Array, own: Known, file: str) -> Message | None:
+def contradiction(times: Array, own: KnownTimeBase, file: str) -> Message | None:
     """The error that ``times`` cannot be in the base given for them; None where they can.
 
     Parameters
@@ -96,7 +96,9 @@ def contradiction(times: Array, own: Known, file: str) -> Message | None:
     )
 
 
-def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Match, ...] | None:
+def following(
+    times: Array, track: Array, own: KnownTimeBase, other: KnownTimeBase
+) -> tuple[Match, ...] | None:
     """Ways from the line's base to the trajectory's, best first, where something is stated.
 
     Parameters
@@ -105,7 +107,7 @@ def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Mat
         Of a line, as its file has them.
     track : ndarray of shape (m,), seconds, increasing
         Of the trajectory.
-    own, other : Known
+    own, other : KnownTimeBase
         Of the line and of the trajectory.
 
     Returns
@@ -124,7 +126,7 @@ def following(times: Array, track: Array, own: Known, other: Known) -> tuple[Mat
 
 
 def following_messages(
-    found: tuple[Match, ...], own: Known, other: Known, file: str
+    found: tuple[Match, ...], own: KnownTimeBase, other: KnownTimeBase, file: str
 ) -> tuple[Message, ...]:
     """Notes on the time shift that follows from the time bases of line and trajectory.
 
@@ -148,7 +150,9 @@ def following_messages(
     return tuple(messages)
 
 
-def nowhere(own: Known, other: Known, times: Array, track: Array, file: str) -> Message:
+def nowhere(
+    own: KnownTimeBase, other: KnownTimeBase, times: Array, track: Array, file: str
+) -> Message:
     """The error that in the time bases given no point lies within the trajectory.
 
     Parameters

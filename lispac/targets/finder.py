@@ -17,8 +17,8 @@ from lispac.geometry.planes import (
 )
 from lispac.messages import Message, error, note
 from lispac.targets import outline
-from lispac.targets.growing import grow, strongest, trimmed
 from lispac.targets.ransac import draw
+from lispac.targets.region_growing import grow, strongest, trimmed
 from lispac.targets.settings import FinderSettings
 
 Array = NDArray[np.float64]

@@ -12,8 +12,8 @@ from lispac.geometry.planes import fit_plane, rms_distance
 from lispac.geometry.spheres import Sphere, cap_axis, fit_sphere, rms_from_sphere, share_seen
 from lispac.messages import Message, error, note
 from lispac.targets.finder import checked_seed, neighbourhood, place_of
-from lispac.targets.growing import MOST_ROUNDS, ROBUST_ROUNDS, TRIM
 from lispac.targets.ransac import BESIDE
+from lispac.targets.region_growing import MOST_ROUNDS, ROBUST_ROUNDS, TRIM
 from lispac.targets.settings import FinderSettings
 from lispac.targets.sphere_ransac import draw
 

@@ -38,7 +38,7 @@ ALL_LINES = "all lines"
 
 
 @dataclass(frozen=True)
-class Explained:
+class SigmaSources:
     """Standard deviations by their source, metres.
 
     Attributes
@@ -77,16 +77,16 @@ class AbsoluteState:
         Unsigned.
     signed : SignedStatistics
         Of the line from the reference, positive where the line is nearer to the vessel.
-    mean_sigma : Explained
+    mean_sigma : SigmaSources
         What the signed mean may be off by.
-    rms_expected : Explained
+    rms_expected : SigmaSources
         What the RMS comes to by these errors alone.
     """
 
     distances: DistanceStatistics
     signed: SignedStatistics
-    mean_sigma: Explained
-    rms_expected: Explained
+    mean_sigma: SigmaSources
+    rms_expected: SigmaSources
 
     @property
     def interval_95(self) -> float:
@@ -327,11 +327,11 @@ def _check(
     parts = [np.bincount(line.group, minlength=len(group_sigma)) for line in lines]
     share = np.mean([part / part.sum() for part in parts], axis=0)
     moves = [np.concatenate(values) for values in _moves(lines)]
-    of_rms = Explained(
+    of_rms = SigmaSources(
         float(np.sqrt(share @ group_sigma**2)),
         *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in moves),
     )
-    of_mean = Explained(
+    of_mean = SigmaSources(
         float(np.sqrt(share**2 @ group_sigma**2)),
         _of_pos([line.by_position for line in lines], lines, correlation_times[0]),
         _of_pos([line.by_attitude for line in lines], lines, correlation_times[1]),

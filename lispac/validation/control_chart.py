@@ -24,7 +24,7 @@ comes up without a reason for hardly one calibration in a hundred."""
 
 
 @dataclass(frozen=True, eq=False)
-class Charted:
+class ChartedCalibration:
     """A calibration in its chart.
 
     Attributes
@@ -55,31 +55,31 @@ class Charted:
         return beyond or self.change.probability < CHANCE
 
 
-def control_chart(calibrations: Sequence[Calibration]) -> tuple[Charted, ...]:
+def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibration, ...]:
     """Hold each calibration against the mean of those before it.
 
     Parameters
     ----------
     calibrations : of one system, the earliest first
     """
-    charted: list[Charted] = []
+    charted: list[ChartedCalibration] = []
     running: list[Calibration] = []
     for calibration in calibrations:
         number = charted[-1].series if charted else 0
         if not running:
-            each = Charted(calibration, number)
+            each = ChartedCalibration(calibration, number)
         else:
             mean = mean_of(running)
-            each = Charted(calibration, number, mean, difference(mean, calibration))
+            each = ChartedCalibration(calibration, number, mean, difference(mean, calibration))
         if each.moved:
-            each = Charted(calibration, number + 1, each.before, each.change)
+            each = ChartedCalibration(calibration, number + 1, each.before, each.change)
             running = []
         running.append(calibration)
         charted.append(each)
     return tuple(charted)
 
 
-def limits(charted: Charted) -> Array | None:
+def limits(charted: ChartedCalibration) -> Array | None:
     """Lower and upper limits of the three angles, shape (2, 3), radians; None for the first."""
     if charted.before is None or charted.change is None:
         return None

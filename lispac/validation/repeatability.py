@@ -123,7 +123,7 @@ def difference(first: Calibration, second: Calibration) -> Difference:
 
 
 @dataclass(frozen=True, eq=False)
-class Repeated:
+class RepeatedCalibrations:
     """Several calibrations of one mounting together.
 
     Attributes
@@ -149,7 +149,7 @@ class Repeated:
         return self.probability < LEVEL
 
 
-def repeated(calibrations: Sequence[Calibration]) -> Repeated:
+def repeated(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
     """Put calibrations of one mounting together.
 
     Raises
@@ -165,7 +165,7 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
     off = angles - together.boresight
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
     statistic = float(np.einsum("ni,nij,nj->", off, weights, off))
-    return Repeated(
+    return RepeatedCalibrations(
         together.boresight,
         together.sigma,
         angles.std(axis=0, ddof=1),
@@ -174,9 +174,9 @@ def repeated(calibrations: Sequence[Calibration]) -> Repeated:
     )
 
 
-def alone(calibration: Calibration) -> Repeated:
+def alone(calibration: Calibration) -> RepeatedCalibrations:
     """A single one, where all others rest on its lines."""
-    return Repeated(calibration.boresight, calibration.sigma, None, 0.0, 1.0)
+    return RepeatedCalibrations(calibration.boresight, calibration.sigma, None, 0.0, 1.0)
 
 
 def mean_of(calibrations: Sequence[Calibration], name: str = "mean") -> Calibration:

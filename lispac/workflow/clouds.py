@@ -33,7 +33,7 @@ IN_FLIGHT = 3
 
 
 @dataclass(frozen=True)
-class Written:
+class WrittenLine:
     """What became of a line.
 
     Attributes
@@ -93,7 +93,7 @@ def write_cloud(
     most_range: float = MOST_RANGE,
     compressed: bool = True,
     progress: Progress = no_progress,
-) -> Written:
+) -> WrittenLine:
     """Georeference the chunks of one line and write them.
 
     Parameters
@@ -178,7 +178,7 @@ def write_cloud(
                 end=float(known[-1]),
             )
         )
-    return Written(path, count, outside, in_gaps, excluded, chosen.notes)
+    return WrittenLine(path, count, outside, in_gaps, excluded, chosen.notes)
 
 
 def _write(cloud: Cloud, placed: "Future[_Placed]") -> _Placed:

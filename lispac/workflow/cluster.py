@@ -118,7 +118,7 @@ class _Cluster:
 
     def __init__(self, client: Any, address: str) -> None:
         self.client, self.address = client, address
-        self.under_way: set[_Sent] = set()
+        self.under_way: set[_ChunkInProgress] = set()
 
     def check(self) -> None:
         """Refuse a cluster without workers, or whose workers are not like this program.
@@ -161,9 +161,9 @@ class _Cluster:
         size = chunk_of(len(values), self._workers())
         chunks = [values[k : k + size] for k in range(0, len(values), size)]
         task = partial(_answers, function, __version__)
-        back: SimpleQueue[_Sent] = SimpleQueue()
+        back: SimpleQueue[_ChunkInProgress] = SimpleQueue()
         for k, chunk in enumerate(chunks):
-            self._send(_Sent(k, task, chunk, back))
+            self._send(_ChunkInProgress(k, task, chunk, back))
         answers: dict[int, list[Any]] = {}
         for k in range(len(chunks)):
             while k not in answers:
@@ -175,14 +175,14 @@ class _Cluster:
                     answers[sent.number] = answer
             yield from answers.pop(k)
 
-    def _send(self, sent: "_Sent") -> None:
+    def _send(self, sent: "_ChunkInProgress") -> None:
         sent.times += 1
         with self._talk():
             sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
         self.under_way.add(sent)
         sent.future.add_done_callback(sent.came)
 
-    def _next(self, back: "SimpleQueue[_Sent]") -> "_Sent":
+    def _next(self, back: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
         """What comes back next, as long as there is hope.
 
         Raises
@@ -203,7 +203,7 @@ class _Cluster:
                 if monotonic() - alone_since > PATIENCE:
                     raise self._gone()
 
-    def _answer(self, sent: "_Sent") -> list[Any] | None:
+    def _answer(self, sent: "_ChunkInProgress") -> list[Any] | None:
         """What came back; None where the scheduler gave it up, and it is worth another try.
 
         Raises
@@ -274,7 +274,7 @@ class _Cluster:
         ) as failure:  # fmt: skip
             raise LispacError(error("cluster.connection_lost", address=self.address)) from failure
 
-    def _forget(self, sent: "_Sent") -> None:
+    def _forget(self, sent: "_ChunkInProgress") -> None:
         sent.future.release()
         self.under_way.discard(sent)
 
@@ -285,7 +285,7 @@ class _Cluster:
         self.client.close()
 
 
-class _Sent:
+class _ChunkInProgress:
     """A chunk on its way."""
 
     future: Any
@@ -295,7 +295,7 @@ class _Sent:
         number: int,
         task: Callable[[Sequence[Any]], list[Any]],
         chunk: Sequence[Any],
-        back: "SimpleQueue[_Sent]",
+        back: "SimpleQueue[_ChunkInProgress]",
     ) -> None:
         self.number, self.task, self.chunk, self.back = number, task, chunk, back
         self.times = 0

@@ -9,7 +9,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.exporting import (
+from lispac.workflow.exported_files import (
     SBET_ZEROS,
     export_planes,
     export_targets,
@@ -82,7 +82,7 @@ def export(
     ------
     InputError
     ProjectError
-        As the functions of `lispac.workflow.exporting` and `lispac.workflow.georeferencing`.
+        As the functions of `lispac.workflow.exported_files` and `lispac.workflow.georeferencing`.
     """
     form: Any = request.form
     if request.what == "lines":

@@ -22,11 +22,11 @@ from lispac.survey.mapping import PointMapper
 from lispac.survey.recovery import Recovery
 from lispac.survey.source import USUAL
 from lispac.survey.store.reading import StoredLine
-from lispac.workflow.clouds import Written, write_cloud
+from lispac.workflow.clouds import WrittenLine, write_cloud
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.importing import kept_header, line_folder, stored_line
 from lispac.workflow.line_chunks import Chunks
 from lispac.workflow.line_points import mounting_of_cloud
-from lispac.workflow.reading import local_trajectory
 from lispac.workflow.target_systems import target_system
 
 Which = Literal["prior", "estimated"]
@@ -46,7 +46,7 @@ def georeference_project(
     ending: Ending = "laz",
     sources: Mapping[str, Iterable[PointChunk]] | None = None,
     progress: Progress = no_progress,
-) -> list[Written]:
+) -> list[WrittenLine]:
     """Write the lines of a project as LAS or LAZ in a coordinate system.
 
     All files appear at the end, together: what fails or is stopped leaves nothing.
@@ -90,7 +90,7 @@ def georeference_project(
             stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading)
             gone[chunks.line.name] = _kept_pattern(stored, chunks.line.path)
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
-    written: list[Written] = []
+    written: list[WrittenLine] = []
     made = _missing_folders(output)
     try:
         with ExitStack() as stack:

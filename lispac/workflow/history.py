@@ -16,10 +16,10 @@ from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
-from lispac.validation.control_chart import Charted, control_chart
+from lispac.validation.control_chart import ChartedCalibration, control_chart
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
-from lispac.workflow.repeating import names_of, remarks_on
+from lispac.workflow.repeated_surveys import names_of, remarks_on
 from lispac.workflow.same_lines import same_lines
 from lispac.workflow.survey_dates import survey_dates
 
@@ -67,7 +67,7 @@ class Entry:
 
     project: Project
     day: date
-    charted: Charted
+    charted: ChartedCalibration
 
 
 @dataclass(frozen=True, eq=False)

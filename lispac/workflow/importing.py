@@ -25,14 +25,14 @@ from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.store.columns import checksum_of
-from lispac.survey.store.layout import HEADER, HEADER_SUM, MANIFEST, Original, damage_of
+from lispac.survey.store.layout import HEADER, HEADER_SUM, MANIFEST, SourceFile, damage_of
 from lispac.survey.store.original import original_of
 from lispac.survey.store.pieces import Piece
 from lispac.survey.store.reading import StoredLine, open_store
 from lispac.survey.store.writing import Recipe, tidy, write_store
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.line_points import FarCopies, LinePoints
-from lispac.workflow.reading import local_trajectory
 
 Array = NDArray[np.float64]
 
@@ -301,7 +301,7 @@ def _fingerprint(trajectory: LocalTrajectory) -> str:
 class _Source:
     """The usable points of a line's file, from any of them on, and what was found in them."""
 
-    def __init__(self, points: LinePoints, original: Original) -> None:
+    def __init__(self, points: LinePoints, original: SourceFile) -> None:
         self._points, self._original = points, original
 
     def findings(self) -> tuple[tuple[dict[str, Any], ...], dict[str, Any]]:

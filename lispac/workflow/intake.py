@@ -22,7 +22,7 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.source import USUAL, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible
 from lispac.survey.time_quality import Coverage
-from lispac.survey.time_stated import Known
+from lispac.survey.time_stated import KnownTimeBase
 from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
 from lispac.workflow.intake_columns import with_meaning
 from lispac.workflow.intake_entry import Entry
@@ -242,7 +242,7 @@ class Intake:
         return content if isinstance(content, TrajectoryAccuracy) else None
 
     @property
-    def _base(self) -> Known:
+    def _base(self) -> KnownTimeBase:
         return trajectory_base(self.trajectory)
 
     @property

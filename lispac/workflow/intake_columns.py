@@ -8,7 +8,7 @@ from lispac.io.text_layout import REQUIRED
 from lispac.io.trajectory_columns import ROLES, SIGMAS
 from lispac.language import N_
 from lispac.messages import Message, note
-from lispac.workflow.reading import Look
+from lispac.workflow.file_reading import FileCheck
 
 PASSED_OVER = "-"
 _POINTS = (*REQUIRED, "intensity")
@@ -99,7 +99,7 @@ _NAMES = {
 """Code of the message that names a meaning."""
 
 
-def names_its_columns(look: Look) -> bool:
+def names_its_columns(look: FileCheck) -> bool:
     """Whether the file itself says what its columns are."""
     if look.finding is None:
         return False
@@ -108,7 +108,7 @@ def names_its_columns(look: Look) -> bool:
     return not any(each.code == COLUMNS_ASSUMED for each in look.finding.doubts)
 
 
-def layout_of(look: Look) -> str:
+def layout_of(look: FileCheck) -> str:
     """A key for files of text laid out alike: format, number of columns and their own names."""
     if not has_columns(look.format) or look.finding is None or not look.finding.rows:
         return ""

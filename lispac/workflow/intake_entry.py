@@ -24,6 +24,7 @@ from lispac.survey.line_audit import LineAudit
 from lispac.survey.source import Reading, printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.file_audit import file_audit
+from lispac.workflow.file_reading import USUAL, FileCheck, looked_at, looks
 from lispac.workflow.intake_columns import (
     column_tokens,
     has_columns,
@@ -31,8 +32,7 @@ from lispac.workflow.intake_columns import (
     missing_columns,
     names_its_columns,
 )
-from lispac.workflow.reading import USUAL, Look, looked_at, looks
-from lispac.workflow.splitting import parts_of_line
+from lispac.workflow.line_split import parts_of_line
 
 Content = Trajectory | TrajectoryAccuracy | LineTimes
 
@@ -63,7 +63,7 @@ class Entry:
 
     Attributes
     ----------
-    looks : tuple of Look
+    looks : tuple of FileCheck
         What each format that knows the file finds in it, the surest first; empty before the file
         was looked into and where no format knows it.
     role : {"trajectory", "accuracy", "points"} or None
@@ -93,7 +93,7 @@ class Entry:
     """
 
     path: Path
-    looks: tuple[Look, ...] = ()
+    looks: tuple[FileCheck, ...] = ()
     role: Kind | None = None
     format: Format | None = None
     stated: Mapping[str, str] | None = None

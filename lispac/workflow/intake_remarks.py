@@ -18,7 +18,7 @@ from lispac.survey.time_base import Match, TimeBase, rival_matches
 from lispac.survey.time_quality import Coverage, short_of_trajectory
 from lispac.survey.time_restart import NONE, restart_message
 from lispac.survey.time_stated import (
-    Known,
+    KnownTimeBase,
     base_message,
     contradiction,
     following,
@@ -227,7 +227,7 @@ def _accuracy_in_time(entry: Entry, trajectory: Entry | None) -> list[Message]:
 
 
 def time_remarks(
-    entry: Entry, track: Trajectory, longest_gap: float, known: Known
+    entry: Entry, track: Trajectory, longest_gap: float, known: KnownTimeBase
 ) -> list[Message]:
     """Messages on how the trajectory covers a line; ``known`` is the trajectory's time base."""
     times, covered = entry.content, line_coverage(entry, track, longest_gap)
@@ -260,7 +260,7 @@ def time_remarks(
 
 
 def _stated_remarks(
-    entry: Entry, times: LineTimes, track: Trajectory, own: Known, other: Known
+    entry: Entry, times: LineTimes, track: Trajectory, own: KnownTimeBase, other: KnownTimeBase
 ) -> list[Message]:
     """Notes on the shift that follows from the time bases given."""
     found = following(times.sample, track.time, own, other)

@@ -6,7 +6,7 @@ from lispac.io.formats import suggests_time
 from lispac.io.line_times import LineTimes
 from lispac.survey.time_base import Match, TimeBase, base_of, matches
 from lispac.survey.time_quality import Coverage, coverage
-from lispac.survey.time_stated import Known, bringing_more, following
+from lispac.survey.time_stated import KnownTimeBase, bringing_more, following
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.intake_entry import Entry
 
@@ -14,19 +14,19 @@ SHARE_NEEDED = 0.5
 """Part of a line's points that a shift has to bring inside before it is offered."""
 
 
-def line_base(entry: Entry) -> Known:
+def line_base(entry: Entry) -> KnownTimeBase:
     """What is known of what a line's times count."""
     stated = (entry.stated or {}).get("time_base", "")
     found = "" if entry.finding is None else str(entry.finding.choice.get("time_base", ""))
     key = stated or found
-    return Known(base_of(key) if key else None, bool(stated))
+    return KnownTimeBase(base_of(key) if key else None, bool(stated))
 
 
-def trajectory_base(entry: Entry | None) -> Known:
+def trajectory_base(entry: Entry | None) -> KnownTimeBase:
     """What is known of what a trajectory's times count."""
     key = "" if entry is None else entry.options.get("time", "")
     if entry is None or not key:
-        return Known()
+        return KnownTimeBase()
     stated = bool((entry.stated or {}).get("time", ""))
     if entry.given is not None:
         # A project keeps what was found beside what was stated.
@@ -34,7 +34,7 @@ def trajectory_base(entry: Entry | None) -> Known:
         found = look.finding.choice if look is not None and look.finding is not None else {}
         stated = stated and key != found.get("time", key)
     suggested = not stated and entry.format is not None and suggests_time(entry.format)
-    return Known(base_of(key), stated, suggested)
+    return KnownTimeBase(base_of(key), stated, suggested)
 
 
 def with_stated_shifts(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:

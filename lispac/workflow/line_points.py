@@ -30,8 +30,8 @@ from lispac.survey.source import printable
 from lispac.survey.store.pieces import Piece
 from lispac.survey.time_quality import Coverage, coverage, exclusion_notes, joined
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.file_reading import format_of_line
 from lispac.workflow.offers import gain_note, outside
-from lispac.workflow.reading import format_of_line
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ FEW_COPIES = 0.01
 
 
 @dataclass(frozen=True)
-class Found:
+class LineFindings:
     """What was found in the points of a line.
 
     Attributes
@@ -183,9 +183,9 @@ class LinePoints:
         return self._screen.result()
 
     @property
-    def found(self) -> "Found":
+    def found(self) -> "LineFindings":
         """What was found in the points, once they are read."""
-        return Found(self.audit, self.recovery_messages)
+        return LineFindings(self.audit, self.recovery_messages)
 
     @property
     def recovery_messages(self) -> tuple[Message, ...]:
@@ -288,7 +288,7 @@ def read_chunks(chunks: Any) -> Iterator[PointChunk]:
 
 def read_line(
     line: LineSource, trajectory: LocalTrajectory, mounting: Mounting
-) -> tuple[Scan, Found]:
+) -> tuple[Scan, LineFindings]:
     """Read one line into memory, in the LiDAR frame, with what was found in its points.
 
     Parameters

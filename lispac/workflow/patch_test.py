@@ -34,7 +34,7 @@ when they were taken, and boxes did not hold the same of each."""
 
 
 @dataclass(frozen=True, eq=False)
-class Laid:
+class PlacedObjects:
     """Objects laid out in a survey, and the points that lines have there.
 
     Attributes
@@ -60,18 +60,18 @@ class Laid:
         """What some objects and pairs of lines compare."""
         return [b for b in blocks_of(self.sample, pairs) if b.first.object.name in objects]
 
-    def only(self, names: Collection[str]) -> "Laid":
+    def only(self, names: Collection[str]) -> "PlacedObjects":
         """Some of the objects."""
         kept = [k for k, each in enumerate(self.objects) if each.name in names]
-        return Laid(
+        return PlacedObjects(
             tuple(self.objects[k] for k in kept),
             tuple(self.placings[k] for k in kept),
             self.sample.of_objects(names),
         )
 
-    def joined(self, other: "Laid") -> "Laid":
+    def joined(self, other: "PlacedObjects") -> "PlacedObjects":
         """These objects and others, of which none has the same name."""
-        return Laid(
+        return PlacedObjects(
             self.objects + other.objects,
             self.placings + other.placings,
             self.sample.joined(other.sample),
@@ -115,7 +115,7 @@ def placed(project: Project, survey: Survey, boresight: Array) -> dict[str, Clou
 
 def propose(
     project: Project, survey: Survey, *, count: int = COUNT, progress: Progress = no_progress
-) -> Laid:
+) -> PlacedObjects:
     """Find objects that lines share, wherever the prior boresight is.
 
     Raises
@@ -146,7 +146,7 @@ def lay(
     *,
     margin: float = MARGIN,
     progress: Progress = no_progress,
-) -> Laid:
+) -> PlacedObjects:
     """Take the points that lines have in the objects' boxes.
 
     Parameters
@@ -158,13 +158,13 @@ def lay(
     clouds = placed(project, survey, boresight)
     sample = Sample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
     at = np.array(boresight, dtype=float)
-    return Laid(tuple(objects), (at,) * len(objects), sample)
+    return PlacedObjects(tuple(objects), (at,) * len(objects), sample)
 
 
 def find(
     project: Project,
     survey: Survey,
-    laid: Laid,
+    laid: PlacedObjects,
     *,
     pairs: Sequence[LinePair] | None = None,
     start: Array | None = None,
@@ -209,7 +209,7 @@ def find(
 
 
 def find_angle(
-    laid: Laid, blocks: Sequence[Block], start: Array, angle: int,
+    laid: PlacedObjects, blocks: Sequence[Block], start: Array, angle: int,
     *, progress: Progress = no_progress,
 ) -> Minimum:  # fmt: skip
     """Turn one angle alone.
@@ -229,8 +229,8 @@ def find_angle(
 
 
 def _judged(
-    project: Project, survey: Survey, laid: Laid, blocks: Sequence[Block], together: Minimum,
-    turned: Minimum,
+    project: Project, survey: Survey, laid: PlacedObjects, blocks: Sequence[Block],
+    together: Minimum, turned: Minimum,
 ) -> PatchTest:  # fmt: skip
     model, mismatch = project.settings.stochastic_model, Mismatch(laid.sample, blocks)
     judged = known(

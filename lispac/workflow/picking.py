@@ -16,9 +16,9 @@ from lispac.targets.expected import ExpectedTarget
 from lispac.targets.finder import FinderSettings
 from lispac.targets.settings import USUAL, FinderChoices
 from lispac.targets.sphere_finder import SpherePatch
-from lispac.workflow.seeking import DEFAULT_RADII as DEFAULT_RADII
-from lispac.workflow.seeking import Patch, Place, Sought
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_search import DEFAULT_RADII as DEFAULT_RADII
+from lispac.workflow.target_search import Patch, Place, TargetSearch
 
 
 def find(
@@ -65,7 +65,7 @@ def find(
         Where there is no such line, the shape does not suit the role, or the one line's sighting
         does not suit the target it is for.
     """
-    sought = Sought(shape, sphere_radius)
+    sought = TargetSearch(shape, sphere_radius)
     radii = sought.search_radii(role) if radius is None else (radius,)
     if threshold is None:
         threshold = sought.threshold(project.settings.threshold)
@@ -139,7 +139,7 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
     SphereNotFound
         Where the points of a sighting do not determine one.
     """
-    sought = Sought.of(target)
+    sought = TargetSearch.of(target)
     found = {
         sighting.line: sought.patch_of(survey.clouds[sighting.line], sighting.indices)
         for sighting in target.sightings
@@ -148,7 +148,7 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
 
 
 def _require_same_surface(
-    known: Target, sought: Sought, place: Place, line: str, patch: Patch
+    known: Target, sought: TargetSearch, place: Place, line: str, patch: Patch
 ) -> None:
     """Refuse to add a sighting of another surface to a target.
 
@@ -232,7 +232,7 @@ def _sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:
 
 def _in_lines(
     survey: Survey,
-    sought: Sought,
+    sought: TargetSearch,
     seed: NDArray[np.float64],
     settings: FinderSettings,
     radii: tuple[float, ...],
@@ -276,7 +276,7 @@ def _require_same(project: Project, known: Target, again: Target) -> None:
                 target=known.name,
             )
         )
-    Sought.of(again).require_same(known)
+    TargetSearch.of(again).require_same(known)
 
 
 def _with_sighting(project: Project, target: Target, sighting: PickedSighting) -> Target:

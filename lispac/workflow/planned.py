@@ -16,7 +16,7 @@ from lispac.simulation.closed_form import Ball, Board
 from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.survey import Setup
 from lispac.simulation.vessel import Pass
-from lispac.simulation.voyage import Sailed
+from lispac.simulation.voyage import SailedTrajectory
 from lispac.workflow.simulated_setup import Simulation, file_of
 
 ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
@@ -79,7 +79,7 @@ def simulation_of_plan(
         Scene.of([_surface(target) for target in plan.targets]),
         tuple(target.name for target in plan.targets),
         (),
-        Sailed(_passes(plan, carried), 0.0),
+        SailedTrajectory(_passes(plan, carried), 0.0),
         plan.system.pos,
         scanner,
         replace(carried.errors, **(errors or {})).mounting(lever),

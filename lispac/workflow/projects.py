@@ -22,11 +22,11 @@ from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
 from lispac.survey.source import USUAL
+from lispac.workflow.file_reading import usual_or_settled
 from lispac.workflow.importing import LINES, line_folder
+from lispac.workflow.line_split import split_line
 from lispac.workflow.moved import with_files_beside
-from lispac.workflow.reading import usual_or_settled
 from lispac.workflow.restarts import lines_counted_on
-from lispac.workflow.splitting import split_line
 from lispac.workflow.stated_times import lines_in_trajectory_time, states_time
 from lispac.workflow.survey import Survey, load_survey
 

@@ -41,7 +41,7 @@ LOOKED_AT = 50_000
 
 
 @dataclass(frozen=True, eq=False)
-class Judged:
+class AssessedQuality:
     """A quality, and what it was judged from.
 
     Attributes
@@ -70,9 +70,9 @@ def judge(
     project: Project,
     survey: Survey,
     *,
-    known: Mapping[Key, Judged] | None = None,
+    known: Mapping[Key, AssessedQuality] | None = None,
     progress: Progress = no_progress,
-) -> dict[Key, Judged]:
+) -> dict[Key, AssessedQuality]:
     """Judge every sighting of a project; what is ``known`` and still holds is taken over.
 
     Before the calibration the points are those that were picked, and what an error of the rough
@@ -81,7 +81,7 @@ def judge(
     validation planes, which nothing selects again, the picked points are judged before and after.
     """
     known = known or {}
-    judged: dict[Key, Judged] = {}
+    judged: dict[Key, AssessedQuality] = {}
     placings = {
         role: _Placing.of(project, survey, estimated=_is_selected_again(project, role))
         for role in {target.role for target in project.targets}
@@ -110,7 +110,7 @@ def judge(
             now = selected_again(every, survey.clouds, placed, narrowed=1.0)
         found = _of_target(project, survey, placings[target.role], target, now.sightings)
         for picked, quality in zip(target.sightings, found, strict=True):
-            judged[target.name, picked.line] = Judged(
+            judged[target.name, picked.line] = AssessedQuality(
                 quality, picked.indices, _beside(target), _rests_on(project, target)
             )
     return judged
@@ -168,7 +168,7 @@ class _Placing:
 
 
 @dataclass(frozen=True, eq=False)
-class _Seen:
+class _SightingPoints:
     """The points of a sighting: as measured, when, and placed."""
 
     lidar: Array
@@ -176,7 +176,7 @@ class _Seen:
     local: Array
 
     @classmethod
-    def of(cls, survey: Survey, placing: _Placing, sighting: PickedSighting) -> "_Seen":
+    def of(cls, survey: Survey, placing: _Placing, sighting: PickedSighting) -> "_SightingPoints":
         lidar, time = survey.scans[sighting.line].take(sighting.indices)
         return cls(lidar, time, placing.points(lidar, time))
 
@@ -189,7 +189,7 @@ def _of_target(
     sightings: tuple[PickedSighting, ...],
 ) -> list[SightingQuality]:
     """The quality of each sighting as selected, those that were picked being the target's own."""
-    seen = [_Seen.of(survey, placing, sighting) for sighting in sightings]
+    seen = [_SightingPoints.of(survey, placing, sighting) for sighting in sightings]
     shown: list[Shown | None] = [None] * len(seen)
     if target.shape == "plane" and placing.nearly_meets:
         shown = _shown(target, placing, seen)
@@ -221,7 +221,7 @@ def _mistakable(target: Target, survey: Survey, sighting: PickedSighting) -> tup
     return (note("quality.mistakable", distance=apart),)
 
 
-def _shown(target: Target, placing: _Placing, seen: list[_Seen]) -> list[Shown | None]:
+def _shown(target: Target, placing: _Placing, seen: list[_SightingPoints]) -> list[Shown | None]:
     """What each line shows of a plane, where the search radius cuts it on none."""
     planes: dict[int, Array] = {}
     extents = []
@@ -250,7 +250,7 @@ def _quality(
     placing: _Placing,
     target: Target,
     sighting: PickedSighting,
-    seen: _Seen,
+    seen: _SightingPoints,
     shown: Shown | None,
 ) -> SightingQuality:
     noise = lidar_noise(project.settings)

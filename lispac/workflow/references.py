@@ -290,7 +290,7 @@ def _read_surface(
     InputError
         Where no point of it is near the lines.
     """
-    seen = _Seen.of(survey, project, reach)
+    seen = _VisibleCells.of(survey, project, reach)
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     done = kept = halvings = 0
@@ -334,7 +334,7 @@ def _require_site(
 
 
 @dataclass(frozen=True, eq=False)
-class _Seen:
+class _VisibleCells:
     """Cells of the local frame that lines have points in, or beside."""
 
     side: float
@@ -343,7 +343,7 @@ class _Seen:
     cells: NDArray[np.int64]
 
     @classmethod
-    def of(cls, survey: Survey, project: Project, reach: float) -> "_Seen":
+    def of(cls, survey: Survey, project: Project, reach: float) -> "_VisibleCells":
         side = max(LEAST_CELL, reach)
         seen = [
             np.unique(np.floor(cloud.sample / side).astype(np.int64), axis=0)

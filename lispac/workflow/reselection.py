@@ -13,8 +13,8 @@ from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
 from lispac.targets.agreement import PlacementAccuracy
 from lispac.targets.smear import ROUGHLY_OFF
-from lispac.workflow.seeking import MET_SHIFT, Sought
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_search import MET_SHIFT, TargetSearch
 
 Array = NDArray[np.float64]
 
@@ -71,7 +71,7 @@ def selected_again(
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
-        found, _ = Sought.of(target).in_lines(
+        found, _ = TargetSearch.of(target).in_lines(
             lines, seed, settings, first_line=line, accuracy=ESTIMATED
         )
     except TargetNotFound:

@@ -11,7 +11,7 @@ from lispac.messages import Message
 from lispac.project import LineSource
 from lispac.survey.source import RESTART, printable
 from lispac.survey.time_restart import NONE, PERIODS, restart_message
-from lispac.workflow.reading import format_of_line
+from lispac.workflow.file_reading import format_of_line
 
 NEAR = 6 * 3600.0
 """Seconds from a midnight or the end of a week that no line reaches which its first points are

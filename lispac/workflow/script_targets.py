@@ -13,8 +13,8 @@ from lispac.targets.settings import USUAL
 from lispac.workflow.picking import find
 from lispac.workflow.point_numbers import numbers_text
 from lispac.workflow.script_text import Code, call, in_pieces, rows
-from lispac.workflow.seeking import Sought
 from lispac.workflow.survey import Survey
+from lispac.workflow.target_search import TargetSearch
 
 BY_HAND = "points of it were added or taken away by hand"
 OTHERWISE = (
@@ -43,7 +43,7 @@ def _seeded(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
     """Arguments with which the seed leads to the target; None where there are none."""
-    sought = Sought.of(target)
+    sought = TargetSearch.of(target)
     named: dict[str, Any] = {
         "role": (target.role, "target"),
         "shape": (target.shape, "plane"),

@@ -22,7 +22,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import LineSource, Project, Settings, Triple
-from lispac.simulation.pos_error_models import Together
+from lispac.simulation.pos_error_models import CombinedModel
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Sphere
 from lispac.simulation.survey import SimulatedSurvey, simulated
@@ -253,7 +253,7 @@ def _settings(simulation: Simulation) -> Settings:
         lidar_beam_sigma=beam if min(beam) > 0 else None,
     )
     pos = simulation.setup.pos
-    for each in pos.parts if isinstance(pos, Together) else (pos,):
+    for each in pos.parts if isinstance(pos, CombinedModel) else (pos,):
         if isinstance(each, PosErrorModel):
             position, attitude = each.time_position, each.time_attitude
             return replace(settings, position_time=position, attitude_time=attitude)

@@ -17,7 +17,7 @@ from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.messages import error
 from lispac.project import Triple
 from lispac.simulation.survey import Setup
-from lispac.simulation.voyage import Replayed, Sailed, Voyage
+from lispac.simulation.voyage import RecordedTrajectory, SailedTrajectory, Voyage
 from lispac.survey.trajectory import LocalTrajectory
 
 KINDS = ("scene", "vessel", "scanner")
@@ -151,7 +151,7 @@ def _voyage(
                     limit=LONGEST,
                 )
             )
-        return described.origin, Sailed(passes, carried.pos_height)
+        return described.origin, SailedTrajectory(passes, carried.pos_height)
     if not described.stretches:
         raise InputError(
             error("simulate.lines_by_heading", file=str(file), trajectory=str(recorded))
@@ -171,4 +171,4 @@ def _voyage(
                 trajectory=str(recorded),
             )
         )
-    return origin, Replayed(local, described.stretches)
+    return origin, RecordedTrajectory(local, described.stretches)

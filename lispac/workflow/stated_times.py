@@ -14,19 +14,21 @@ from lispac.survey.source import RESTART, printable
 from lispac.survey.time_base import base_of
 from lispac.survey.time_restart import NONE
 from lispac.survey.time_stated import (
-    Known,
+    KnownTimeBase,
     contradiction,
     following,
     following_messages,
     nowhere,
 )
-from lispac.workflow.reading import USUAL, format_of_line, read_trajectory
+from lispac.workflow.file_reading import USUAL, format_of_line, read_trajectory
 
 SAME = 1e-3
 """Seconds that a typed shift may differ from the one that follows, to be the same."""
 
 
-def known_base(format: Format, path: Path, choice: Choice, option: str, *, stated: bool) -> Known:
+def known_base(
+    format: Format, path: Path, choice: Choice, option: str, *, stated: bool
+) -> KnownTimeBase:
     """The time base of a file.
 
     Parameters
@@ -46,7 +48,7 @@ def known_base(format: Format, path: Path, choice: Choice, option: str, *, state
         found = format.settled({**format.look(path, choice).choice, **choice})
         given, stated = str(found.get(option, "")), False
     suggested = not stated and suggests_time(format)
-    return Known(base_of(given) if given else None, stated, suggested)
+    return KnownTimeBase(base_of(given) if given else None, stated, suggested)
 
 
 def states_time(trajectory: Path, reading: Reading) -> bool:

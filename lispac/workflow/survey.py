@@ -32,14 +32,14 @@ from lispac.survey.time_quality import short_of_trajectory
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 from lispac.survey.trajectory_rate import interpolation_messages
 from lispac.targets.alignment import Alignment, align
-from lispac.workflow.importing import assumptions_of, import_line, line_folder
-from lispac.workflow.line_points import Found, read_line
-from lispac.workflow.moved import require_files
-from lispac.workflow.reading import (
+from lispac.workflow.file_reading import (
     USUAL,
     local_trajectory,
     read_accuracy,
 )
+from lispac.workflow.importing import assumptions_of, import_line, line_folder
+from lispac.workflow.line_points import LineFindings, read_line
+from lispac.workflow.moved import require_files
 
 LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
 """Standard deviations that no POS has; exporters write such values where they have no solution."""
@@ -271,7 +271,7 @@ def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[
 
 def _opened(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
-) -> tuple[Line, Cloud, tuple[Message, ...], Found | None]:
+) -> tuple[Line, Cloud, tuple[Message, ...], LineFindings | None]:
     """A line from its store or its file, placed, notes on its reading, and its audit.
 
     Raises
@@ -290,7 +290,7 @@ def _opened(
         if not line.path.exists():
             notes += (note("import.file_gone", file=str(line.path), line=line.name),)
         try:
-            found = decoded(stored.manifest.audit, Found) if stored.manifest.audit else None
+            found = decoded(stored.manifest.audit, LineFindings) if stored.manifest.audit else None
         except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
         return stored, cloud, notes, found

@@ -12,7 +12,7 @@ from lispac.project import LineSource, Project
 from lispac.survey.source import RESTART
 from lispac.survey.time_base import GPS_EPOCH, TimeBase, leap_seconds_at_gps, to_gps
 from lispac.survey.time_restart import NONE
-from lispac.workflow.reading import USUAL, format_of_line
+from lispac.workflow.file_reading import USUAL, format_of_line
 from lispac.workflow.stated_times import known_base
 from lispac.workflow.survey import Survey
 

@@ -9,17 +9,17 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from lispac.adjustment import older
+from lispac.adjustment import outdated
 from lispac.causes import Cause
 from lispac.doubles import doubts_of
 from lispac.messages import Level, Message, by_level, note, warning
 from lispac.project import Project
-from lispac.report.cautions import cautions_of
 from lispac.report.content import report_content
+from lispac.report.report_warnings import cautions_of
 from lispac.survey.lever_arm import lever_arm_doubts
 from lispac.survey.source import printable
 from lispac.targets.quality import SightingQuality
-from lispac.workflow.facing import face_one_way
+from lispac.workflow.orientation_check import face_one_way
 from lispac.workflow.survey import Survey
 
 DATA, ADJUST = Cause.of_step("Data"), Cause.of_step("Adjust")
@@ -63,7 +63,7 @@ def warnings_of(
         *_sightings(project, qualities or {}),
         *_targets(project, survey),
         *_refusal(refusal, stale and project.result is None),
-        *_answer(project, (older.refused_since(refused_since),) if refused_since else ()),
+        *_answer(project, (outdated.refused_since(refused_since),) if refused_since else ()),
         *_not_compared(project),
         *_data(project, survey),
         *_not_found(project),

@@ -8,7 +8,7 @@ from time import perf_counter
 
 import numpy as np
 
-from lispac.design.choices import Space, thesis_plan
+from lispac.design.choices import DesignSpace, thesis_plan
 from lispac.design.monte_carlo import surveyed
 from lispac.design.objective import Objective
 from lispac.design.prediction import predict
@@ -22,7 +22,7 @@ DESIGNS = 10_000
 
 def test_one_design():
     _, site = read_site(QUAY)
-    space = Space(site, Objective())
+    space = DesignSpace(site, Objective())
     generator = np.random.default_rng(1)
     widths = np.array(space.widths)
     choices = [space.choice(generator.integers(widths)) for _ in range(300)]

@@ -26,9 +26,9 @@ from lispac.survey.georeferencing import Mounting, georeference, place, to_lidar
 from lispac.survey.mapping import PointMapper
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.clouds import write_cloud
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import stored_chunks
 from lispac.workflow.importing import import_lines, stored_line
-from lispac.workflow.reading import local_trajectory
 from tests.cloud_files import sweep, track
 from tests.test_georeferencing import survey
 

@@ -23,8 +23,8 @@ from lispac.progress import Step
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.georeferencing import Georeferencer
 from lispac.survey.trajectory import Trajectory
+from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.importing import import_line, stored_line
-from lispac.workflow.reading import local_trajectory
 
 RATE, SPEED, WALL, DECK = 500_000, 1.5, 15.0, -4.0
 """Points a second, metres a second, metres to the wall on the left, metres down to the quay."""

@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication
 
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.decimation import in_view
-from lispac.gui.viewport.picking import pick
+from lispac.gui.viewport.point_picker import pick
 
 LINES = 6
 POINTS = 1_000_000

@@ -53,10 +53,10 @@ def report(folder: Path) -> None:
 
     application = QApplication(sys.argv[:1])
     from lispac.gui.main_window import MainWindow
+    from lispac.gui.seed_options import SeedOptions
     from lispac.gui.settings import AppSettings
     from lispac.gui.viewport.base import PickedPoint
     from lispac.gui.viewport.vtk import VtkViewport
-    from lispac.gui.wishes import Wishes
 
     viewport = VtkViewport()
     settings = AppSettings(Path(tempfile.mkdtemp()) / "settings.ini")
@@ -110,7 +110,7 @@ def report(folder: Path) -> None:
     middle = sample[np.argmin(np.linalg.norm(sample - np.median(sample, axis=0), axis=1))]
     for state in ("first", "second"):
         point = PickedPoint(name, (float(middle[0]), float(middle[1]), float(middle[2])))
-        window.controller.seed(point, Wishes(line=name))
+        window.controller.seed(point, SeedOptions(line=name))
         took = until(lambda: not window.runner.active)
         found = window.controller.candidate
         points = 0 if found is None else len(found.sightings[0].indices)

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui import theme
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.safekeeping import LOCK_NAME
+from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording import RecordingViewport
@@ -104,10 +104,10 @@ def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
     """The program with an empty window that draws and asks."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
-    from lispac.gui.viewport.late import LateViewport
+    from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.gui.viewport.vtk import VtkViewport
 
-    made = Hands(qtbot, lambda: LateViewport(VtkViewport), tmp_path)
+    made = Hands(qtbot, lambda: LazyViewport(VtkViewport), tmp_path)
     yield made
     made.leave()
 

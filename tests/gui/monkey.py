@@ -316,16 +316,16 @@ def main() -> int:
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
     from lispac.gui import controller
+    from lispac.gui.garbage_collection import GarbageCollection
     from lispac.gui.logbook import LOG, Logbook
     from lispac.gui.session import Session
     from lispac.gui.settings import AppSettings
-    from lispac.gui.tidying import Tidying
 
     controller.demo_folder = lambda: project
     draws = Draws()
     viewport = timed_viewport(draws)
     settings = AppSettings(home / "window.ini")
-    tidying = Tidying(application)
+    tidying = GarbageCollection(application)
     session = Session(application, viewport, settings)
     logbook = Logbook(session.log_folder, session.tell_unforeseen)
     logbook.begin()

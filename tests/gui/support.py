@@ -11,9 +11,9 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.questions import Answer, CandidateAnswer, DropAnswer
 from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
-from lispac.gui.turns import Turn
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
@@ -169,8 +169,8 @@ class Driver:
         self.bot.waitUntil(lambda: not self._turns, timeout=WAIT_MS)
 
     @property
-    def _turns(self) -> list[Turn]:
-        return [turn for turn in self.window.findChildren(Turn) if turn.isActive()]
+    def _turns(self) -> list[IdleTask]:
+        return [turn for turn in self.window.findChildren(IdleTask) if turn.isActive()]
 
     def leave(self) -> None:
         """Close the window and see that nothing of it is left."""

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor
 
-from lispac.gui.colouring import COLOURINGS, SCALES, Scale, shading, use_scale
+from lispac.gui.point_colours import COLOURINGS, SCALES, Scale, shading, use_scale
 from lispac.gui.schemes import DARK, LIGHT
 from lispac.gui.viewing_actions import COLOURED
 from tests.gui.support import Demo, Driver, Key, press

@@ -10,7 +10,7 @@ from lispac.design.search import worth
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.message_texts import message_text
-from lispac.workflow.designing import cautions
+from lispac.workflow.plan_checks import cautions
 from tests.gui.design_support import NoModifier, followed, foretold, mouse_move, plan, shown
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 

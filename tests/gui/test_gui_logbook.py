@@ -11,9 +11,9 @@ from PySide6.QtCore import qWarning
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import notifying
+from lispac.gui import desktop_notifications
+from lispac.gui.desktop_notifications import DesktopNotifications
 from lispac.gui.logbook import Logbook
-from lispac.gui.notifying import Notifying
 from lispac.gui.tasks import Task
 from tests.gui.support import WAIT_MS, Driver
 
@@ -79,9 +79,9 @@ def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
 def test_the_end_of_long_work_is_told_elsewhere(
     driver: Driver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, ending: str
 ) -> None:
-    monkeypatch.setattr(notifying, "LONG", 30.0 if ending == "short" else 0.05)
+    monkeypatch.setattr(desktop_notifications, "LONG", 30.0 if ending == "short" else 0.05)
     told: list[str] = []
-    Notifying(driver.window, driver.window.runner, told.append)
+    DesktopNotifications(driver.window, driver.window.runner, told.append)
     other = QWidget()
     qtbot.addWidget(other)
     other.show()
@@ -103,9 +103,9 @@ def test_the_end_of_long_work_is_told_elsewhere(
 
 
 def test_one_who_is_there_is_not_told(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(notifying, "LONG", 0.0)
+    monkeypatch.setattr(desktop_notifications, "LONG", 0.0)
     told: list[str] = []
-    Notifying(driver.window, driver.window.runner, told.append)
+    DesktopNotifications(driver.window, driver.window.runner, told.append)
     driver.window.runner.run("Working", lambda _progress: None, lambda _value: None)
     driver.rest()
     assert told == []

@@ -5,9 +5,9 @@ from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
-from lispac.adjustment.older import refused_since
+from lispac.adjustment.outdated import refused_since
 from lispac.gui.language import set_language
-from lispac.gui.reporting import Reporting
+from lispac.gui.report_export import ReportExport
 from lispac.message_texts import message_text
 from tests.gui.support import Driver
 
@@ -21,7 +21,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     [refusal] = map(str, adjusted.dialogs.errors)
     words = f"A later estimate was refused: {refusal}"
     assert words in unescape(adjusted.window.results.warnings.text())
-    reporting = adjusted.window.findChild(Reporting)
+    reporting = adjusted.window.findChild(ReportExport)
     report = tmp_path / "r.json"
     adjusted.dialogs.path = report
     reporting.export()

@@ -15,7 +15,7 @@ from lispac.gui.dialogs.about import shortcuts_box
 from lispac.gui.panels.sightings_table import EDITED
 from lispac.gui.pictures import NO_SECTION
 from lispac.gui.viewport.base import Shading
-from lispac.gui.viewport.overlay import Stage, free_place
+from lispac.gui.viewport.overlay import OverlaidView, free_place
 from tests.gui.support import Control, Driver, Key, click, press, settle
 from tests.view_scenes import scene
 
@@ -180,7 +180,7 @@ def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
 
 
 def test_labels_of_targets_keep_clear_of_the_scale_of_colours(qapp) -> None:
-    stage = Stage()
+    stage = OverlaidView()
     overlay = stage.overlay
     assert overlay.taken() == []
     overlay.shading = Shading({}, "Distance (mm)", "-1", "+1", np.zeros((3, 3), np.uint8))

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.project import Project
-from lispac.workflow.accepting import not_picked, with_accepted
-from lispac.workflow.proposing import Proposal, propose
+from lispac.workflow.proposal_acceptance import not_picked, with_accepted
+from lispac.workflow.proposals import Proposal, propose
 from tests.gui.support import Demo, Driver, Left, click, open_step
 
 TARGETS = 1

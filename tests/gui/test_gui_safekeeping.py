@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.safekeeping import ELSEWHERE, LOCK_NAME
+from lispac.gui.recovery_copies import ELSEWHERE, LOCK_NAME
 from lispac.gui.viewport.recording import RecordingViewport
 from lispac.io.project_file import (
     FILE_NAME,

@@ -13,7 +13,7 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.preferences import Preferences
-from lispac.gui.safekeeping import LOCK_NAME
+from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording import RecordingViewport

@@ -15,7 +15,7 @@ from lispac.gui.design import edits
 from lispac.gui.dialogs.about import about_box
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.panels.chart import Chart
-from lispac.gui.panels.dimming import dimmed
+from lispac.gui.panels.dark_pictures import dimmed
 from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
 from lispac.gui.session import LATER_MS, Session
 from lispac.gui.settings import AppSettings

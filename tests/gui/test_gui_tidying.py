@@ -17,13 +17,13 @@ from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.tidying import (
+from lispac.gui.garbage_collection import (
     ALL_S,
     NEW_MODULES,
     REST_S,
     YOUNG,
-    GivingBack,
-    Tidying,
+    GarbageCollection,
+    MemoryTrimming,
     collect_all,
 )  # fmt: skip
 from tests.gui.support import WAIT_MS
@@ -47,7 +47,7 @@ def busy(stop: threading.Event) -> None:
 
 
 def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: QtBot) -> None:
-    tidying = Tidying()
+    tidying = GarbageCollection()
     stop, threads = threading.Event(), []
     worker = threading.Thread(target=busy, args=(stop,))
     worker.start()
@@ -71,7 +71,7 @@ def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: 
 def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> None:
     now, collected = [100.0], []
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
-    tidying = Tidying()
+    tidying = GarbageCollection()
     monkeypatch.setattr(gc, "collect", collected.append)
     try:
         for later, counts in (
@@ -90,13 +90,13 @@ def test_modules_that_came_are_not_looked_at_again(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now, done = [100.0], []
-    monkeypatch.setattr(Tidying, "left_alone", 0)
-    monkeypatch.setattr(Tidying, "with_windows", False)
+    monkeypatch.setattr(GarbageCollection, "left_alone", 0)
+    monkeypatch.setattr(GarbageCollection, "with_windows", False)
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
     monkeypatch.setattr(gc, "collect", lambda generation: done.append(f"collect {generation}"))
     monkeypatch.setattr(gc, "freeze", lambda: done.append("leave alone"))
     monkeypatch.setattr(gc, "get_count", lambda: (YOUNG + 1, 0, 0))
-    tidying = Tidying()
+    tidying = GarbageCollection()
 
     def later() -> list[str]:
         done.clear()
@@ -122,7 +122,7 @@ def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     for name, now in (("left_alone", len(sys.modules)), ("with_windows", True)):
-        monkeypatch.setattr(Tidying, name, now)
+        monkeypatch.setattr(GarbageCollection, name, now)
     gone: list[str] = []
     window = Cycle()
     weakref.finalize(window, gone.append, "window")
@@ -157,7 +157,7 @@ def with_half_of_the_arrays_gone() -> tuple[int, int]:
     """Bytes held before and after."""
     large = np.ones(3_900_000)
     del large
-    GivingBack()
+    MemoryTrimming()
     arrays = [np.ones(400_000) for _ in range(100)]
     held = resident()
     del arrays[::2]
@@ -169,7 +169,7 @@ def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyP
     blocks = [b"x" * 100_000 for _ in range(4000)]  # 400 MB, too small to be mapped by itself
     held = resident()
     del blocks[::2]
-    memory = GivingBack()
+    memory = MemoryTrimming()
     memory.when_due()  # just begun
     assert resident() > held - 20e6
     later = time.monotonic() + REST_S + 1

@@ -6,13 +6,13 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.turns import Turn
+from lispac.gui.idle_tasks import IdleTask
 from tests.gui.support import WAIT_MS
 
 
 def test_those_that_are_due_together_have_a_turn_each(qapp: QApplication, qtbot: QtBot) -> None:
     owner, done = QObject(), []
-    turns = [Turn(lambda k=k: done.append(k), owner) for k in range(3)]
+    turns = [IdleTask(lambda k=k: done.append(k), owner) for k in range(3)]
     beat = QTimer(owner, interval=0)
     beat.timeout.connect(lambda: done.append("beat"))
     beat.start()
@@ -30,7 +30,7 @@ def test_one_that_waited_for_its_turn_waits_as_ever_the_next_time(
     qapp: QApplication, qtbot: QtBot
 ) -> None:
     owner, done = QObject(), []
-    first, second = (Turn(lambda name=name: done.append(name), owner, 40) for name in "ab")
+    first, second = (IdleTask(lambda name=name: done.append(name), owner, 40) for name in "ab")
     first.start()
     second.start()
     qtbot.waitUntil(lambda: done == ["a", "b"], timeout=WAIT_MS)

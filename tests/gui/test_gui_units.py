@@ -15,20 +15,20 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import units
-from lispac.gui.colouring import shading
 from lispac.gui.language import set_language
-from lispac.gui.measuring import Measuring, distance_text
+from lispac.gui.measurements import Measurements, distance_text
 from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
+from lispac.gui.point_colours import shading
 from lispac.gui.residuals import residual_shading
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.viewport.overlay import legend_words, length_text, scale_length
 from lispac.gui.viewport.recording import RecordingViewport
-from lispac.gui.viewport.sketching import words_of
+from lispac.gui.viewport.sketches import words_of
 from lispac.project import Project
 from tests.gui.design_support import followed
 from tests.gui.metric import METRIC, metric_words
@@ -271,7 +271,7 @@ def test_another_unit_makes_the_window_anew(program: Session, qtbot: QtBot, demo
 def test_what_was_measured_is_metric_in_a_picture_for_a_file(
     opened: Driver, imperial: None
 ) -> None:
-    measuring = opened.window.findChild(Measuring)
+    measuring = opened.window.findChild(Measurements)
     opened.window.actions_["measure_distance"].trigger()
     for place in ((0.0, 0.0, 0.0), (3.0, 0.0, -4.0)):
         measuring._take(PickedPoint(opened.project.lines[0].name, place))

@@ -274,16 +274,16 @@ def test_nothing_to_warn_of_is_said(picked: Driver) -> None:
 
 def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) -> None:
     """A second of gathering, and no turn of the event loop that takes anything like it."""
-    from lispac.gui import cautioning
+    from lispac.gui import warning_list
 
-    gather = cautioning.warnings_of
+    gather = warning_list.warnings_of
 
     def slow(*arguments, **named):
         time.sleep(1.0)
         return gather(*arguments, **named)
 
     listed(adjusted)
-    monkeypatch.setattr(cautioning, "warnings_of", slow)
+    monkeypatch.setattr(warning_list, "warnings_of", slow)
     adjusted.window.cautioning._watch()
     longest, started = 0.0, time.perf_counter()
     while not adjusted.window.cautioning.is_current:

@@ -15,17 +15,17 @@ from lispac.design.scenarios import (
 )
 from lispac.design.search import Design, Mapper, search
 from lispac.design.site import Site
-from lispac.gui.design.surveys import Asked
+from lispac.gui.design.surveys import SimulationRequest
 from lispac.language import N_, gettext_lazy
 from lispac.progress import Progress, Step
 from lispac.workflow.campaign import pool_of
-from lispac.workflow.designing import many_surveys
+from lispac.workflow.plan_checks import many_surveys
 
 FEW = 600
 """Plans that are looked at sooner than other processes are started."""
 
 
-class Rated:
+class CountingMapper:
     """A mapper that counts its results, and a progress that shows their rate."""
 
     def __init__(self, mapper: Mapper, progress: Progress, rate: str) -> None:
@@ -60,7 +60,7 @@ def best_plan(
     workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
     progress(0.0, gettext_lazy("Starting the search"))
     with pool_of(workers) as mapper:
-        rated = Rated(mapper, progress, N_("{rate:x} plans/s"))
+        rated = CountingMapper(mapper, progress, N_("{rate:x} plans/s"))
         return search(
             site, objective, plans=plans, start=start, mapper=rated.map, progress=rated.progress
         )
@@ -71,11 +71,11 @@ def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
     return outcomes(plan, tuple(SCENARIOS), progress=progress)
 
 
-def simulated_surveys(plan: Plan, asked: Asked, progress: Progress) -> Scatter:
+def simulated_surveys(plan: Plan, asked: SimulationRequest, progress: Progress) -> Scatter:
     """Many surveys of a plan, on all cores; cancelled, those that are finished if enough are."""
     progress(0.0, gettext_lazy("Starting the surveys"))
     with pool_of(os.cpu_count() or 1, at_once=1) as mapper:
-        rated = Rated(mapper, progress, N_("{rate:x.1} surveys/s"))
+        rated = CountingMapper(mapper, progress, N_("{rate:x.1} surveys/s"))
         return many_surveys(
             plan, asked.surveys, seed=asked.seed, flatness_known=asked.flatness_known,
             enough=ENOUGH, mapper=rated.map, progress=rated.progress,

@@ -25,7 +25,7 @@ TITLE = "Site"
 
 
 @dataclass(frozen=True)
-class Hung:
+class PlacedTarget:
     """A target as somebody on the water says it.
 
     Attributes
@@ -53,7 +53,7 @@ class Hung:
     radius_known: bool = True
 
     @classmethod
-    def of(cls, target: Board | Ball, wall: Wall) -> "Hung":
+    def of(cls, target: Board | Ball, wall: Wall) -> "PlacedTarget":
         """A target of a plan."""
         along, off, up = wall.seen(target.centre)
         if isinstance(target, Ball):
@@ -146,12 +146,12 @@ def at_distance(line: Line, distance: float) -> Line:
     return replace(line, distance=float(np.clip(stepped(distance, 0.1), NEAREST, FARTHEST)))
 
 
-def hung(titled: TitledPlan) -> list[Hung]:
+def hung(titled: TitledPlan) -> list[PlacedTarget]:
     """All targets as said from the water."""
-    return [Hung.of(target, titled.wall) for target in titled.plan.targets]
+    return [PlacedTarget.of(target, titled.wall) for target in titled.plan.targets]
 
 
-def with_target(titled: TitledPlan, k: int, target: Hung) -> TitledPlan:
+def with_target(titled: TitledPlan, k: int, target: PlacedTarget) -> TitledPlan:
     """Another target in one's place; as the last, one more."""
     targets = list(titled.plan.targets)
     targets[k : k + 1] = [target.on(titled.wall)]

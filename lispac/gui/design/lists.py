@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from lispac.design.plan import Line
 from lispac.gui import units
 from lispac.gui.design import edits
-from lispac.gui.design.edits import Hung
+from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.number_table import Field, NumberTable
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
@@ -149,7 +149,7 @@ class TargetsList(QWidget):
         if name == "flatness" and value is not None:
             value /= 1000.0
 
-        def change(each: Hung) -> Hung:
+        def change(each: PlacedTarget) -> PlacedTarget:
             if each.ball and name == "width":
                 wide = max(value, BALL_LEAST)
                 return replace(each, width=wide, height=wide)
@@ -172,7 +172,7 @@ def _length(metres: float) -> str:
     return f"{units.localised(units.limit(metres, 'm'))} {units.unit('m').sign}"
 
 
-def _cells(each: Hung) -> tuple[float | str | None, ...]:
+def _cells(each: PlacedTarget) -> tuple[float | str | None, ...]:
     flatness = None if each.flatness is None else 1000 * each.flatness
     place = (each.name, each.along, each.off, each.up)
     if each.ball:

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 from lispac.design.monte_carlo import Scatter
 from lispac.design.scenarios import OF_THE_THESIS, Outcome
 from lispac.design.search import Step
+from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.panels import widgets
-from lispac.gui.turns import Turn
 from lispac.language import N_, LazyText, gettext
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class PicturesPanel(QWidget):
         self._drawings: dict[str, tuple[LazyText, Callable[[Figure], object]]] = {}
         """Title and drawing function of each figure."""
         self._waiting: dict[QWidget, Callable[[Figure], object]] = {}
-        self._due = Turn(self._draw, self)
+        self._due = IdleTask(self._draw, self)
         self.which.currentIndexChanged.connect(self.pages.setCurrentIndex)
         self.pages.currentChanged.connect(lambda _index: self._due.start())
 

@@ -8,17 +8,17 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
 
 from lispac.adjustment.result import ANGLES
-from lispac.design.search import Worth
+from lispac.design.search import InformationGain
 from lispac.gui import theme, units
-from lispac.gui.design import told
-from lispac.gui.design.following import Following, Said
-from lispac.gui.design.told import Told
+from lispac.gui.design import predicted_precision
+from lispac.gui.design.background_prediction import BackgroundPrediction, SlowResults
+from lispac.gui.design.predicted_precision import PredictedPrecision
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, current_language, gettext, number
 from lispac.message_texts import message_text
-from lispac.workflow.designing import cautions
+from lispac.workflow.plan_checks import cautions
 
 HEADS = ("plan", "thesis")
 TITLES = N_("this plan"), N_("thesis")
@@ -36,8 +36,8 @@ class ResultsPanel(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMinimumWidth(330)
         self._work = workspace
-        self.following = Following(workspace, self)
-        self._told = Told(workspace.titled.plan, None, True)
+        self.following = BackgroundPrediction(workspace, self)
+        self._told = PredictedPrecision(workspace.titled.plan, None, True)
         body = QWidget()
         layout = widgets.column(body, 12)
         unit = units.unit("°").sign
@@ -111,7 +111,7 @@ class ResultsPanel(QScrollArea):
     def _show(self) -> None:
         """Show what needs no computation."""
         titled = self._work.titled
-        self.minutes.setText(told.minutes(titled))
+        self.minutes.setText(predicted_precision.minutes(titled))
         found = cautions(titled)
         self.cautions.setText("\n".join(map(message_text, found)))
         self.cautions.setVisible(bool(found))
@@ -125,7 +125,7 @@ class ResultsPanel(QScrollArea):
             self.words.setText(gettext("Computing…"))
         self.worth.show_rows([])
 
-    def _show_sigmas(self, found: Told) -> None:
+    def _show_sigmas(self, found: PredictedPrecision) -> None:
         """Show the numbers, which follow a drag."""
         self._told = found
         for angle, sigma in zip(ANGLES, self._told.sigmas, strict=True):
@@ -159,7 +159,7 @@ class ResultsPanel(QScrollArea):
         bar = self._beside.horizontalScrollBar().sizeHint().height()
         self._beside.setFixedHeight(size.height() + bar)
 
-    def _show_said(self, said: Said) -> None:
+    def _show_said(self, said: SlowResults) -> None:
         refused = self._told.refused
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
@@ -168,7 +168,7 @@ class ResultsPanel(QScrollArea):
         for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
             self.thesis[angle].setText(sigma)
 
-    def _show_worths(self, worths: tuple[Worth, ...]) -> None:
+    def _show_worths(self, worths: tuple[InformationGain, ...]) -> None:
         known = self._told.prediction is not None and self._told.prediction.determined
         largest = float(np.degrees(self._told.prediction.sigma.max())) if known else np.nan
         rows = []
@@ -189,14 +189,14 @@ class ResultsPanel(QScrollArea):
 
 def _sigma(degrees: float) -> Cell:
     if not np.isfinite(degrees):
-        return Cell(gettext(told.OPEN), degrees)
-    form = told.form(degrees)
+        return Cell(gettext(predicted_precision.OPEN), degrees)
+    form = predicted_precision.form(degrees)
     return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
 
 
 def _count(counts, target: str, line: str) -> str:
     found = counts.get((target, line))
-    return number(found, 0) if found is not None else told.UNKNOWN
+    return number(found, 0) if found is not None else predicted_precision.UNKNOWN
 
 
 def _columns() -> tuple[Column, Column, Column]:

@@ -7,11 +7,11 @@ from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout
 
 from lispac.design.objective import CRITERIA, Objective
 from lispac.gui import theme, units
-from lispac.gui.carrying import fill_in
 from lispac.gui.design.limits import LimitsForm
-from lispac.gui.design.told import sigma_text
+from lispac.gui.design.predicted_precision import sigma_text
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
+from lispac.gui.window_state import fill_in
 from lispac.language import N_, LazyText, gettext
 
 FACTORS = {
@@ -147,7 +147,7 @@ class SearchPanel(QScrollArea):
 
 
 @dataclass(frozen=True)
-class Found:
+class SearchResult:
     """Result of a search as a text.
 
     Attributes

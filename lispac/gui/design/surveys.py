@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QScrollArea, 
 
 from lispac.design.monte_carlo import ENOUGH
 from lispac.gui import theme
-from lispac.gui.carrying import fill_in
 from lispac.gui.design.angles_table import AnglesTable
 from lispac.gui.panels import widgets
+from lispac.gui.window_state import fill_in
 from lispac.language import N_, gettext
 
 MOST = 5000
@@ -21,7 +21,7 @@ HINT = N_(
 
 
 @dataclass(frozen=True)
-class Asked:
+class SimulationRequest:
     """Number and kind of the surveys to simulate."""
 
     surveys: int
@@ -97,9 +97,9 @@ class SurveysPanel(QScrollArea):
         self.answer.take_over(former.answer)
 
     @property
-    def wanted(self) -> Asked:
+    def wanted(self) -> SimulationRequest:
         """Number and kind of surveys that the form has."""
-        return Asked(
+        return SimulationRequest(
             round(self.surveys.value()), round(self.seed.value()), self.flatness.isChecked()
         )
 

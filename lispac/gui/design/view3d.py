@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from lispac.gui import theme
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array
-from lispac.gui.design.edits import Hung
+from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.wall_view import FINE, STEP, moved
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.viewport.base import Handle, PickedPoint, Sketch, Viewport
@@ -32,7 +32,7 @@ class View3D(QObject):
         super().__init__(workspace)
         self._work, self.viewport = workspace, viewport
         self._names: set[str] = set()
-        self._held: Hung | None = None
+        self._held: PlacedTarget | None = None
         self._lost = False  # what is held was in another plan
         self._by = np.zeros(3)
         self._clouds: dict[str, Array] = {}

@@ -9,7 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen
 from lispac.gui import theme, units
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array, Canvas
-from lispac.gui.design.edits import Hung
+from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.workspace import Workspace
 from lispac.language import LazyText, current_language, gettext, gettext_lazy
 
@@ -48,7 +48,7 @@ class WallView(Canvas):
                 fine=fine,
             )
         )
-        self._held: Hung | None = None
+        self._held: PlacedTarget | None = None
         self._from = np.zeros(2)
 
     def bounds(self) -> Array:
@@ -59,7 +59,7 @@ class WallView(Canvas):
             places += [(each.along + each.width, each.up + ABOVE)]
         return np.array(places)
 
-    def _box(self, each: Hung) -> QRectF:
+    def _box(self, each: PlacedTarget) -> QRectF:
         scale, _ = self._view
         tall = each.height if each.ball else each.height * abs(np.sin(np.radians(each.lean)))
         wide, tall = max(scale * each.width, LEAST), max(scale * float(tall), LEAST)
@@ -154,7 +154,7 @@ class WallView(Canvas):
         return True
 
 
-def moved(target: Hung, along: float, up: float, step: float) -> Hung:
+def moved(target: PlacedTarget, along: float, up: float, step: float) -> PlacedTarget:
     """A target moved along the wall and up, metres, to steps of about so many."""
     return replace(
         target,

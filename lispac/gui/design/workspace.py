@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from lispac.design.plan import Line
 from lispac.gui.design import edits
-from lispac.gui.design.edits import Hung
+from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.history import History
 from lispac.io.plan_file import TitledPlan
 from lispac.language import LazyText, gettext, gettext_lazy
@@ -113,7 +113,9 @@ class Workspace(QObject):
             line = change(self.titled.plan.lines[self.line])
             self.edit(name, edits.with_line(self.titled, self.line, line), key)
 
-    def change_target(self, name: LazyText, change: Callable[[Hung], Hung], key: str = "") -> None:
+    def change_target(
+        self, name: LazyText, change: Callable[[PlacedTarget], PlacedTarget], key: str = ""
+    ) -> None:
         """Change the selected target."""
         if self.target >= 0:
             target = change(edits.hung(self.titled)[self.target])
@@ -171,9 +173,9 @@ class Workspace(QObject):
                 )
             )
             return
-        last = there[self.target] if there else Hung("", -2.0, 0.0, 5.0)
+        last = there[self.target] if there else PlacedTarget("", -2.0, 0.0, 5.0)
         along, up = place or (last.along + 2.0, last.up)
-        new = Hung(
+        new = PlacedTarget(
             edits.free_name(self.titled, "B" if ball else "T"), along, 0.0, up,
             facing=self.titled.wall.facing_deg, ball=ball,
         )  # fmt: skip

@@ -9,7 +9,7 @@ from lispac import caches
 from lispac.errors import InputError
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.panels import widgets
-from lispac.gui.safekeeping import LOCK_NAME
+from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.language import N_, gettext
 
 DEMO_OPEN = N_("The demo survey is open. Close it, then empty the cache.")

@@ -34,7 +34,7 @@ from lispac.workflow.export_request import (
     What,
     system_of,
 )
-from lispac.workflow.exporting import trajectory_datum
+from lispac.workflow.exported_files import trajectory_datum
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.target_systems import LOCAL, own_datum
 

@@ -11,7 +11,7 @@ from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.methods import Answer, remarks_on
+from lispac.methods import MethodResult, remarks_on
 from lispac.opinions import Method
 
 METHODS = {
@@ -47,7 +47,7 @@ class MethodsDialog(StudyDialog):
 
     def __init__(
         self,
-        found: Sequence[Answer],
+        found: Sequence[MethodResult],
         absent: Sequence[Method],
         refused: Mapping[str, Message],
         parent: QWidget | None = None,
@@ -111,7 +111,7 @@ def _named(method: str, remark: Message) -> str:
     return gettext("{method}: {text}", method=_name(method), text=message_text(remark))
 
 
-def _row(each: Answer) -> Row:
+def _row(each: MethodResult) -> Row:
     found, against = each.calibration, each.against
     cells = [
         Cell(_name(each.method)), number(each.lines, ".0f"), number(each.surfaces, ".0f")

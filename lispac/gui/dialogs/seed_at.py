@@ -9,7 +9,7 @@ from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
 from lispac.gui.panels import widgets
-from lispac.gui.wishes import Wishes
+from lispac.gui.seed_options import SeedOptions
 from lispac.io.text_table import coordinate, coordinates_in
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -47,7 +47,7 @@ class SeedDialog(QDialog):
         self,
         project: Project,
         trajectory: LocalTrajectory,
-        wishes: Wishes,
+        wishes: SeedOptions,
         name: str,
         parent: QWidget | None = None,
     ) -> None:
@@ -184,7 +184,7 @@ class SeedDialog(QDialog):
         return " ".join([text, *map(message_text, system.assumptions)])
 
 
-def _introduction(wishes: Wishes) -> str:
+def _introduction(wishes: SeedOptions) -> str:
     """What the dialogue does with the seed."""
     kind = wishes.shape if wishes.role == "target" else "validation"
     if wishes.line is None:

@@ -28,12 +28,12 @@ from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.preferences import Preferences
+from lispac.gui.seed_options import SeedOptions
 from lispac.gui.settings import AppSettings
-from lispac.gui.wishes import Wishes
 from lispac.identity import Identity
 from lispac.language import N_, gettext
 from lispac.messages import Message
-from lispac.methods import Answer
+from lispac.methods import MethodResult
 from lispac.opinions import Method
 from lispac.project import LineSource, Project, Target, Triple
 from lispac.report.absolute_values import Absolute
@@ -46,7 +46,7 @@ from lispac.workflow.georeferencing import Which
 from lispac.workflow.history import History
 from lispac.workflow.intake import ImportRequest
 from lispac.workflow.line_quality import LineQuality
-from lispac.workflow.proposing import Proposal
+from lispac.workflow.proposals import Proposal
 from lispac.workflow.seed_lists import ListedSeed, Outcome
 from lispac.workflow.subsampling import Subsampled
 
@@ -171,7 +171,10 @@ class Dialogs(Questions):
         dialog.deleteLater()
 
     def methods(
-        self, found: Sequence[Answer], absent: Sequence[Method], refused: Mapping[str, Message]
+        self,
+        found: Sequence[MethodResult],
+        absent: Sequence[Method],
+        refused: Mapping[str, Message],
     ) -> bool:
         """Show the results of all methods; return whether to run the missing ones."""
         dialog = MethodsDialog(found, absent, refused, self.parent)
@@ -302,7 +305,7 @@ class Dialogs(Questions):
         return answer
 
     def seed_at(
-        self, project: Project, trajectory: LocalTrajectory, wishes: Wishes, name: str
+        self, project: Project, trajectory: LocalTrajectory, wishes: SeedOptions, name: str
     ) -> tuple[str, Triple] | None:
         """Name and place of a typed seed; ``name`` is proposed."""
         dialog = SeedDialog(project, trajectory, wishes, name, self.parent)

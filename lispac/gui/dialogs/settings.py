@@ -5,12 +5,12 @@ from pathlib import Path
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.colouring import Scale
 from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
 from lispac.gui.panels import widgets
 from lispac.gui.panels.report import OTHERS
+from lispac.gui.point_colours import Scale
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.units import ANGLES, LENGTHS

@@ -7,7 +7,7 @@ from lispac.doubles import overlap_warning
 from lispac.gui import units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineLights
-from lispac.gui.tabbing import ENTERS
+from lispac.gui.tab_order import ENTERS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project, Role, Shape, Target

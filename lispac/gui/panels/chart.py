@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap, QResizeEvent
 
 from lispac.gui import theme
-from lispac.gui.panels.dimming import dimmed
+from lispac.gui.idle_tasks import IdleTask
+from lispac.gui.panels.dark_pictures import dimmed
 from lispac.gui.panels.ticks import spoken_ticks
 from lispac.gui.slices import Slices
-from lispac.gui.turns import Turn
 
 AFTER_MS = 20
 """Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts: other
@@ -46,7 +46,7 @@ class Chart(FigureCanvasQTAgg):
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
         """Set the minimum size in pixels, and the colour of the ground."""
         self._dims = ground == WHITE and theme.scheme().dark
-        self._due: Turn | None = None
+        self._due: IdleTask | None = None
         self._stale = True
         self._layout = Slices()
         """The layout of texts in progress."""
@@ -59,8 +59,8 @@ class Chart(FigureCanvasQTAgg):
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
-        self._due = Turn(self._begin, self, AFTER_MS)
-        self._next = Turn(self._go_on, self)
+        self._due = IdleTask(self._begin, self, AFTER_MS)
+        self._next = IdleTask(self._go_on, self)
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:

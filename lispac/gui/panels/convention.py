@@ -29,7 +29,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
-from lispac.survey.conventions.conversion import Setup, Stated
+from lispac.survey.conventions.conversion import MountingInSystem, Setup
 from lispac.survey.conventions.correction import SUM_MATTERS
 from lispac.survey.conventions.present import Replacement, replacement
 from lispac.survey.conventions.systems import (
@@ -331,7 +331,7 @@ class ConventionPanel(QWidget):
         self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
         self.gizmo.show_boresight(np.asarray(mounting.plain.boresight, dtype=float))
 
-    def _show_matrix(self, stated: Stated) -> None:
+    def _show_matrix(self, stated: MountingInSystem) -> None:
         name = program_name(stated.setup.convention)
         self.matrix_head.setText(
             gettext("Scanner to body in {program}, with the lever arm", program=name)

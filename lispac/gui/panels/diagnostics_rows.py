@@ -6,7 +6,6 @@ import numpy as np
 from PySide6.QtCore import QLocale
 
 from lispac.adjustment.critical import critical_w
-from lispac.adjustment.doubts_of_sightings import MUCH_NOISE
 from lispac.adjustment.parameters import SIGNIFICANT, Estimate
 from lispac.adjustment.reliability import CRITICAL
 from lispac.adjustment.result import (
@@ -16,6 +15,7 @@ from lispac.adjustment.result import (
     SightingResidual,
 )
 from lispac.adjustment.shown import standing
+from lispac.adjustment.sighting_warnings import MUCH_NOISE
 from lispac.gui import units
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number

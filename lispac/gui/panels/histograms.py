@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme, units
+from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.panels import distances, pairs_table, widgets
-from lispac.gui.turns import Turn
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import Project
@@ -67,7 +67,7 @@ class HistogramsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
-        self._drawing = Turn(self._selected_again, self)
+        self._drawing = IdleTask(self._selected_again, self)
         self._stack = QStackedLayout(self)
         empty = QWidget()
         layout = widgets.column(empty)
@@ -240,11 +240,11 @@ class HistogramsPanel(QWidget):
     def _canvas(self):
         if self.canvas is None:
             from lispac.gui.panels.chart import Chart
-            from lispac.gui.panels.zooming import Zooming
+            from lispac.gui.panels.plot_zoom import PlotZoom
 
             self.canvas = Chart(260, 120)
             self.canvas.setObjectName("histogram_canvas")
-            self._zooming = Zooming(self.canvas)
+            self._zooming = PlotZoom(self.canvas)
             canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM))
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._read),

@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from lispac.adjustment.doubts import FLAT, doubts
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.shown import component_finding
+from lispac.adjustment.warnings import FLAT, doubts
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities
 from lispac.gui.panels.adjust_parameters import KINDS, Kind

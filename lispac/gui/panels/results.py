@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.doubts import HIGH_CORRELATION, doubts
-from lispac.adjustment.older import refused_since
+from lispac.adjustment.outdated import refused_since
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.warnings import HIGH_CORRELATION, doubts
 from lispac.doubles import project_doubts
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities, result_words, widgets

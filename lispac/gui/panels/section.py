@@ -176,10 +176,10 @@ class SectionPanel(QWidget):
         if self.canvas is not None:
             return
         from lispac.gui.panels.chart import Chart
-        from lispac.gui.panels.zooming import Zooming
+        from lispac.gui.panels.plot_zoom import PlotZoom
 
         self.canvas = Chart(300, 150, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
         self.canvas.setToolTip(gettext(ZOOM))
-        self._zooming = Zooming(self.canvas)
+        self._zooming = PlotZoom(self.canvas)
         self._row.addWidget(self.canvas, 1)

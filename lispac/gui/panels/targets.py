@@ -22,8 +22,8 @@ from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
 from lispac.gui.panels.more_fields import MoreFields
+from lispac.gui.seed_options import SeedOptions
 from lispac.gui.units import Base
-from lispac.gui.wishes import Wishes
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected import ExpectedTarget
@@ -108,9 +108,9 @@ class TargetsPanel(QWidget):
         return self._expected.value if self.shape == "plane" else None
 
     @property
-    def wishes(self) -> Wishes:
+    def wishes(self) -> SeedOptions:
         """All options of the next seed."""
-        return Wishes(
+        return SeedOptions(
             self.role, self.line, self.current, self.threshold, self.radius, self.shape,
             self.sphere_radius, self.expected, self.more.value,
         )  # fmt: skip
@@ -228,9 +228,9 @@ class TargetsPanel(QWidget):
     def _show_default_threshold(self) -> None:
         if self._project is None:
             return
-        from lispac.workflow.seeking import Sought
+        from lispac.workflow.target_search import TargetSearch
 
-        search = Sought(self.shape, self.sphere_radius)
+        search = TargetSearch(self.shape, self.sphere_radius)
         default = 1000 * search.threshold(self._project.settings.threshold)
         self._threshold.setSpecialValueText(
             gettext("default ({threshold})", threshold=quantities.amount(default, "mm", 0))

@@ -16,7 +16,7 @@ def in_units(axis: Axis, base: Base) -> None:
     if not units.differs(base):
         return
     factor = units.unit(base).factor
-    axis.set_major_locator(_Round(factor))
+    axis.set_major_locator(_RoundLocator(factor))
     axis.set_major_formatter(FuncFormatter(lambda value, _: _spoken(f"{value * factor:.6g}")))
     axis.set_label_text(units.signs(axis.get_label_text(), base, figures=False))
 
@@ -29,14 +29,14 @@ def spoken_ticks(figure: Figure) -> None:
         for axis in (axes.xaxis, axes.yaxis):
             plain = axis.get_major_formatter()
             if type(plain) is ScalarFormatter:
-                axis.set_major_formatter(_Spoken(plain))
+                axis.set_major_formatter(_LocalFormatter(plain))
 
 
 def _spoken(text: str) -> str:
     return text.replace(".", QLocale().decimalPoint()).replace("-", "\N{MINUS SIGN}")
 
 
-class _Round(MaxNLocator):
+class _RoundLocator(MaxNLocator):
     """Ticks at round values of another unit."""
 
     def __init__(self, factor: float) -> None:
@@ -48,7 +48,7 @@ class _Round(MaxNLocator):
         return [float(each) / self._factor for each in found]
 
 
-class _Spoken(Formatter):
+class _LocalFormatter(Formatter):
     """Labels of another formatter, with the decimal sign of the language."""
 
     def __init__(self, plain: ScalarFormatter) -> None:

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme, units
 from lispac.gui.panels.number_field import BASES, NumberField
-from lispac.gui.tabbing import ENTERS
+from lispac.gui.tab_order import ENTERS
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
 

@@ -11,7 +11,7 @@ from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.decimation import robust_sample
 from lispac.gui.viewport.mouse import Mouse
-from lispac.gui.viewport.picking import pick
+from lispac.gui.viewport.point_picker import pick
 
 WHEEL_FACTOR = 0.85
 """Distance left after one notch."""

@@ -250,7 +250,7 @@ class Overlay(QWidget):
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
-class Stage(QWidget):
+class OverlaidView(QWidget):
     """The picture with the overlay on top of it."""
 
     resized = Signal()

@@ -27,13 +27,13 @@ from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.canvas import Canvas
 from lispac.gui.viewport.clipping import Box, right_of
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.detailing import Detailing
-from lispac.gui.viewport.highlighting import Highlighting
+from lispac.gui.viewport.highlights import Highlights
 from lispac.gui.viewport.layer import Layer, common_origin
 from lispac.gui.viewport.navigation import Navigator
-from lispac.gui.viewport.overlay import Stage
+from lispac.gui.viewport.overlay import OverlaidView
 from lispac.gui.viewport.pace import SLICES, Pace
-from lispac.gui.viewport.sketching import Sketching
+from lispac.gui.viewport.sketches import Sketches
+from lispac.gui.viewport.view_detail import ViewDetail
 from lispac.language import gettext
 
 QUICK_S = 0.03
@@ -51,7 +51,7 @@ class VtkViewport:
     def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
         self._budget = budget or Budget()
         self._pace = Pace(self._budget)
-        self._stage = Stage(parent)
+        self._stage = OverlaidView(parent)
         # Goes with the widget, and with it what a window has joined: it would hold the window.
         self.signals = ViewportSignals(self._stage)
         self.canvas = Canvas(self._stage)
@@ -68,7 +68,7 @@ class VtkViewport:
         self._beside: Layer | None = None
         self._box: Box | None = None
         self._hidden: set[str] = set()
-        self._highlighting = Highlighting(self._renderer)
+        self._highlighting = Highlights(self._renderer)
         self._point_size = 2
         self._closed = False
         self._detailed = False
@@ -79,7 +79,7 @@ class VtkViewport:
             self.canvas.ren_win.AddObserver(event, slot)
             for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
         ]
-        self._detailing = Detailing(
+        self._detailing = ViewDetail(
             self._stage, lambda: self._refining(self._pace.resting), self._put_detail
         )
         self._stage.resized.connect(self._on_resized)
@@ -89,7 +89,7 @@ class VtkViewport:
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
-        self._sketching = Sketching(self._navigator, self._overlay, self.signals)
+        self._sketching = Sketches(self._navigator, self._overlay, self.signals)
         self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
         self._sketching.divided.connect(self._camera_moved)
 

@@ -140,7 +140,7 @@ class Setup:
 
 
 @dataclass(frozen=True, eq=False)
-class Stated:
+class MountingInSystem:
     """A boresight and a lever arm as another system states them.
 
     Attributes
@@ -223,7 +223,7 @@ def angles_from(convention: Convention, rotation: Array) -> tuple[Array, Message
     return angles, remark
 
 
-def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> Stated:
+def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> MountingInSystem:
     """A mounting of this program as another system states it.
 
     Parameters
@@ -242,7 +242,7 @@ def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> 
     mounted = setup.scanner_frame == "mounted"
     transform[:3, :3] = coordinates @ scanner if mounted else coordinates
     product = coordinates if convention.direction == "lidar_to_body" else coordinates.T
-    stated = Stated(setup, None, lever_arm, product, transform)
+    stated = MountingInSystem(setup, None, lever_arm, product, transform)
     if not convention.has_angles:
         return stated
     angles, remark = angles_from(convention, product)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.messages import Message, note
 from lispac.survey.conventions.axes import axes_matrix, nearest_axes
-from lispac.survey.conventions.conversion import Setup, Stated, state
+from lispac.survey.conventions.conversion import MountingInSystem, Setup, state
 from lispac.survey.conventions.correction import Correction, correct, on_top_of
 from lispac.survey.conventions.typed import product_of_matrix
 from lispac.survey.georeferencing import Mounting
@@ -34,7 +34,7 @@ class Present:
     values : ndarray of shape (3,), radians, in the order the system types them
         Or their product, of shape (3, 3).
     transform : ndarray of shape (4, 4), or None
-        Scanner to body as `Stated.transform` holds it, where the lever arm was given with it.
+        Scanner to body as in `MountingInSystem.transform`, where the lever arm was given with it.
     """
 
     values: Array
@@ -61,7 +61,7 @@ class Replacement:
 
     mounting: Mounting
     covariance: Array | None
-    stated: Stated
+    stated: MountingInSystem
     present: Present | None
     correction: Correction | None
     transform: Array | None

@@ -54,7 +54,7 @@ ANGLE_CODES = {
 
 
 @dataclass(frozen=True)
-class Turn:
+class AxisRotation:
     """One angle.
 
     Attributes
@@ -104,7 +104,7 @@ class Convention:
     key: str
     name: str
     axes: Axes
-    turns: tuple[Turn, ...]
+    turns: tuple[AxisRotation, ...]
     order: tuple[int, ...]
     status: Status
     source: str
@@ -148,30 +148,30 @@ class Convention:
         return gettext_lazy("{first}; {second}; {third}", first=first, second=second, third=third)
 
 
-def _down_frame(heading: str = N_("heading")) -> tuple[Turn, Turn, Turn]:
+def _down_frame(heading: str = N_("heading")) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # X forward, Y starboard, Z down: all three turns are right-handed.
     return (
-        Turn(N_("roll"), 0, 1, _WINGS_DOWN),
-        Turn(N_("pitch"), 1, 1, _BOW_UP),
-        Turn(heading, 2, 1, _CLOCKWISE),
+        AxisRotation(N_("roll"), 0, 1, _WINGS_DOWN),
+        AxisRotation(N_("pitch"), 1, 1, _BOW_UP),
+        AxisRotation(heading, 2, 1, _CLOCKWISE),
     )
 
 
-def _up_frame(heading: str = N_("heading")) -> tuple[Turn, Turn, Turn]:
+def _up_frame(heading: str = N_("heading")) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # X starboard, Y forward, Z up: a right-handed turn about Z goes to port.
     return (
-        Turn(N_("roll"), 1, 1, _WINGS_DOWN),
-        Turn(N_("pitch"), 0, 1, _BOW_UP),
-        Turn(heading, 2, -1, _CLOCKWISE),
+        AxisRotation(N_("roll"), 1, 1, _WINGS_DOWN),
+        AxisRotation(N_("pitch"), 0, 1, _BOW_UP),
+        AxisRotation(heading, 2, -1, _CLOCKWISE),
     )
 
 
-def _plain_turns() -> tuple[Turn, Turn, Turn]:
+def _plain_turns() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # Right-handed turns about axes that the user states.
     return (
-        Turn(N_("X rotation"), 0, 1, _RIGHT_HANDED),
-        Turn(N_("Y rotation"), 1, 1, _RIGHT_HANDED),
-        Turn(N_("Z rotation"), 2, 1, _RIGHT_HANDED),
+        AxisRotation(N_("X rotation"), 0, 1, _RIGHT_HANDED),
+        AxisRotation(N_("Y rotation"), 1, 1, _RIGHT_HANDED),
+        AxisRotation(N_("Z rotation"), 2, 1, _RIGHT_HANDED),
     )
 
 
@@ -184,9 +184,9 @@ LISPAC = Convention(
     name=N_("This program (iXblue)"),
     axes=FORWARD_PORT_UP,
     turns=(
-        Turn(N_("roll"), 0, 1, N_("positive left side up")),
-        Turn(N_("pitch"), 1, 1, N_("positive bow down")),
-        Turn(N_("yaw"), 2, -1, _CLOCKWISE),
+        AxisRotation(N_("roll"), 0, 1, N_("positive left side up")),
+        AxisRotation(N_("pitch"), 1, 1, N_("positive bow down")),
+        AxisRotation(N_("yaw"), 2, -1, _CLOCKWISE),
     ),
     order=HEADING_PITCH_ROLL,
     status="verified",
@@ -222,9 +222,9 @@ SYSTEMS: tuple[Convention, ...] = (
         name="Kluster",
         axes=FORWARD_STARBOARD_DOWN,
         turns=(
-            Turn(N_("roll"), 0, 1, N_("positive port side up")),
-            Turn(N_("pitch"), 1, 1, _BOW_UP),
-            Turn(N_("heading"), 2, 1, _CLOCKWISE),
+            AxisRotation(N_("roll"), 0, 1, N_("positive port side up")),
+            AxisRotation(N_("pitch"), 1, 1, _BOW_UP),
+            AxisRotation(N_("heading"), 2, 1, _CLOCKWISE),
         ),
         order=HEADING_PITCH_ROLL,
         status="verified",
@@ -235,9 +235,9 @@ SYSTEMS: tuple[Convention, ...] = (
         name="NovAtel Inertial Explorer, SPAN",
         axes=STARBOARD_FORWARD_UP,
         turns=(
-            Turn(N_("X rotation"), 0, 1, N_("right-handed, positive bow up")),
-            Turn(N_("Y rotation"), 1, 1, N_("right-handed, positive starboard side down")),
-            Turn(
+            AxisRotation(N_("X rotation"), 0, 1, N_("right-handed, positive bow up")),
+            AxisRotation(N_("Y rotation"), 1, 1, N_("right-handed, positive starboard side down")),
+            AxisRotation(
                 N_("Z rotation"),
                 2,
                 1,
@@ -339,9 +339,9 @@ SYSTEMS: tuple[Convention, ...] = (
         name="Hypack",
         axes=("starboard", "forward", "down"),
         turns=(
-            Turn(N_("roll"), 1, -1, _WINGS_DOWN),
-            Turn(N_("pitch"), 0, -1, _BOW_UP),
-            Turn(N_("yaw"), 2, -1, _CLOCKWISE),
+            AxisRotation(N_("roll"), 1, -1, _WINGS_DOWN),
+            AxisRotation(N_("pitch"), 0, -1, _BOW_UP),
+            AxisRotation(N_("yaw"), 2, -1, _CLOCKWISE),
         ),
         order=HEADING_PITCH_ROLL,
         status="unverified",

@@ -14,14 +14,16 @@ POLYNOMIAL = 0xEDB88320
 
 
 @dataclass(frozen=True)
-class Running:
+class RunningFingerprint:
     """What is known after some points: their number and two checksums."""
 
     points: int = 0
     coordinates: int = 0
     times: int = 0
 
-    def after(self, points_lidar: NDArray[np.float64], time: NDArray[np.float64]) -> "Running":
+    def after(
+        self, points_lidar: NDArray[np.float64], time: NDArray[np.float64]
+    ) -> "RunningFingerprint":
         """Take the next points along.
 
         Parameters
@@ -29,7 +31,7 @@ class Running:
         points_lidar : ndarray of shape (n, 3), metres
         time : ndarray of shape (n,), seconds
         """
-        return Running(
+        return RunningFingerprint(
             self.points + len(time),
             crc32(np.ascontiguousarray(points_lidar, dtype=np.float64).data, self.coordinates),
             crc32(np.ascontiguousarray(time, dtype=np.float64).data, self.times),

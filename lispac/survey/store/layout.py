@@ -125,7 +125,7 @@ class Column:
 
 
 @dataclass(frozen=True)
-class Original:
+class SourceFile:
     """The file a line was imported from, as it was then.
 
     Attributes
@@ -169,7 +169,7 @@ class Manifest:
         Of the farthest point from the scanner.
     fingerprint : str
         `Scan.fingerprint` of the points in the order of the file.
-    original : Original
+    original : SourceFile
     made_with : mapping
         All that the content follows from besides the file: how it was read, the trajectory, and
         the mounting where it went into the vectors.
@@ -196,7 +196,7 @@ class Manifest:
     last_time: float
     reach: float
     fingerprint: str
-    original: Original
+    original: SourceFile
     made_with: Mapping[str, Any] = field(default_factory=dict)
     placed_with: Mapping[str, Any] = field(default_factory=dict)
     assumptions: tuple[Mapping[str, Any] | str, ...] = ()
@@ -245,7 +245,7 @@ def read_manifest(folder: Path) -> Manifest | None:
                 **store,
                 "columns": tuple(_column(column) for column in store["columns"]),
                 "attributes": tuple(_column(column) for column in store["attributes"]),
-                "original": Original(**store["original"]),
+                "original": SourceFile(**store["original"]),
                 "low": tuple(store["low"]),
                 "high": tuple(store["high"]),
                 "assumptions": tuple(store["assumptions"]),

@@ -4,16 +4,16 @@ import os
 from hashlib import file_digest
 from pathlib import Path
 
-from lispac.survey.store.layout import Original
+from lispac.survey.store.layout import SourceFile
 
 
-def original_of(path: Path) -> Original:
+def original_of(path: Path) -> SourceFile:
     """Size, time and fingerprint of a file (`OSError` where it cannot be read)."""
     status = path.stat()
-    return Original(str(path), status.st_size, status.st_mtime_ns, _fingerprint(path))
+    return SourceFile(str(path), status.st_size, status.st_mtime_ns, _fingerprint(path))
 
 
-def is_unchanged(original: Original, path: Path) -> bool:
+def is_unchanged(original: SourceFile, path: Path) -> bool:
     """Whether the file at ``path`` is what was imported; it may have been moved or copied.
 
     Size and time as they were are believed. With another time, as after a copy, all of the content

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, ProjectError
 from lispac.messages import error
-from lispac.survey.store.fingerprint import Running
+from lispac.survey.store.fingerprint import RunningFingerprint
 from lispac.survey.store.layout import Column
 
 Array = NDArray[np.float64]
@@ -83,7 +83,7 @@ class Block:
 
     first: int
     columns: tuple[Column, ...]
-    running: Running
+    running: RunningFingerprint
     points_lidar: Array = field(default_factory=lambda: np.empty((BLOCK, 3)))
     time: Array = field(default_factory=lambda: np.empty(BLOCK))
     count: int = 0
@@ -164,7 +164,7 @@ def require_alike(piece: Piece, columns: tuple[Column, ...], source: str) -> Non
 
 
 def blocks_of(
-    pieces: Iterator[Piece], first: int, running: Running, source: str
+    pieces: Iterator[Piece], first: int, running: RunningFingerprint, source: str
 ) -> Iterator[tuple[Block | None, Piece]]:
     """Gather pieces into blocks; a piece that fills none comes with None.
 

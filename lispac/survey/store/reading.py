@@ -44,7 +44,7 @@ ROUNDING = 2.0**-23
 
 
 @dataclass(frozen=True, eq=False)
-class Coarse:
+class LineSample:
     """A fair sample of a line for the first picture.
 
     Attributes
@@ -115,7 +115,7 @@ class StoredLine:
         return self.extra.get("intensity")
 
     @cached_property
-    def coarse(self) -> Coarse:
+    def coarse(self) -> LineSample:
         """At most a million points of the line."""
         intensity = None
         if "coarse_intensity" in self._columns:
@@ -129,7 +129,7 @@ class StoredLine:
         # Where the trajectory is, only the placing of the points knows.
         if not np.isfinite(local).all() or (np.abs(local) > FARTHEST).any():
             raise self._damaged()
-        return Coarse(rows, local, xyz, time, intensity)
+        return LineSample(rows, local, xyz, time, intensity)
 
     def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
         """Places (n,) in the line as read, in the order of the file, of points in ``rows`` (n,)."""

@@ -23,7 +23,7 @@ from lispac.errors import ProjectError
 from lispac.messages import error
 from lispac.survey.store.cells import Keys, choose_side, extent, order_keys, sorting
 from lispac.survey.store.columns import checksum_of
-from lispac.survey.store.fingerprint import Running
+from lispac.survey.store.fingerprint import RunningFingerprint
 from lispac.survey.store.layout import (
     SPOOL,
     UNFINISHED,
@@ -57,7 +57,7 @@ class Spooled:
         Points in it.
     next_index : int
         Index in the file behind its last point.
-    running : Running
+    running : RunningFingerprint
         Checksums up to its end.
     side : float, metres
         Of the cells it is sorted by.
@@ -74,7 +74,7 @@ class Spooled:
     number: int
     count: int
     next_index: int
-    running: Running
+    running: RunningFingerprint
     side: float
     low: list[float]
     high: list[float]
@@ -85,7 +85,7 @@ class Spooled:
 
 
 @dataclass(frozen=True)
-class End:
+class SpoolSummary:
     """What is known once a file is read to its end.
 
     Attributes
@@ -150,22 +150,24 @@ class Spool:
         return self.blocks[-1].next_index if self.blocks else 0
 
     @property
-    def running(self) -> Running:
+    def running(self) -> RunningFingerprint:
         """Checksums of all blocks."""
-        return self.blocks[-1].running if self.blocks else Running()
+        return self.blocks[-1].running if self.blocks else RunningFingerprint()
 
     @property
-    def end(self) -> End | None:
+    def end(self) -> SpoolSummary | None:
         """What was known at the end of the file, None where it is not read to its end."""
         try:
             content = unsealed((self.folder / COMPLETE).read_text(encoding="utf-8"))
             if content["points"] != self.points:
                 return None
-            return End(int(content["read"]), tuple(content["assumptions"]), content["audit"])
+            return SpoolSummary(
+                int(content["read"]), tuple(content["assumptions"]), content["audit"]
+            )
         except DAMAGED:
             return None
 
-    def complete(self, end: End) -> None:
+    def complete(self, end: SpoolSummary) -> None:
         """Record that the file is read to its end."""
         content = {"points": self.points, **asdict(end)}
         write_text_whole(self.folder / COMPLETE, sealed(content))
@@ -257,7 +259,11 @@ class Spool:
                 return None
             columns = tuple(Column(**{**c, "shape": tuple(c["shape"])}) for c in content["columns"])
             return Spooled(
-                **{**content, "running": Running(**content["running"]), "columns": columns}
+                **{
+                    **content,
+                    "running": RunningFingerprint(**content["running"]),
+                    "columns": columns,
+                }
             )
         except DAMAGED:
             return None

@@ -25,7 +25,7 @@ from lispac.survey.store.layout import (
     Column,
     DamagedStore,
     Manifest,
-    Original,
+    SourceFile,
     columns_folders,
     is_link,
     plainly_written,
@@ -38,7 +38,7 @@ from lispac.survey.store.layout import (
 from lispac.survey.store.lock import LOCK, locked
 from lispac.survey.store.ordering import write_columns
 from lispac.survey.store.pieces import Piece, Place, blocks_of
-from lispac.survey.store.spool import End, Spool, remove_spool
+from lispac.survey.store.spool import Spool, SpoolSummary, remove_spool
 from lispac.survey.store.stamps import stamped
 
 READING_SHARE = 0.6
@@ -60,14 +60,14 @@ class Recipe:
     ----------
     line : str
         Name of the line.
-    original : Original
+    original : SourceFile
         The file.
     made_with, placed_with : dict of plain values
         See `Manifest`.
     """
 
     line: str
-    original: Original
+    original: SourceFile
     made_with: dict[str, Any]
     placed_with: dict[str, Any]
 
@@ -180,7 +180,7 @@ def _manifest(
     folder: str,
     own: tuple[Column, ...],
     attributes: tuple[Column, ...],
-    end: End,
+    end: SpoolSummary,
 ) -> Manifest:
     blocks = spool.blocks
     low = np.min([block.low for block in blocks], axis=0).tolist()
@@ -215,7 +215,7 @@ def _fill(
     findings: Findings,
     expected: "_Expected",
     progress: Progress,
-) -> End:
+) -> SpoolSummary:
     """Spool what is not spooled yet, and give what is known of the whole file.
 
     Raises
@@ -243,7 +243,7 @@ def _fill(
     if not spool.points:
         raise ProjectError(error("store.no_points", file=recipe.original.path))
     assumptions, audit = findings()
-    end = End(read, assumptions, audit)
+    end = SpoolSummary(read, assumptions, audit)
     spool.complete(end)
     return end
 

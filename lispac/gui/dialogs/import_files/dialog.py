@@ -29,7 +29,7 @@ from lispac.gui.dialogs.import_files.file_table import FileTable
 from lispac.gui.dialogs.import_files.mounting_page import MountingPage
 from lispac.gui.dialogs.import_files.quality_page import QualityPage
 from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
-from lispac.gui.dialogs.import_files.work import Work
+from lispac.gui.dialogs.import_files.work import ImportFiles
 from lispac.gui.dialogs.questions import Questions
 from lispac.gui.drops import FileDrops
 from lispac.gui.panels import widgets
@@ -76,7 +76,7 @@ class ImportDialog(QDialog):
         self.setObjectName("import_dialog")
         self.setWindowTitle(gettext("New project"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
-        self.work = Work(settings.column_mappings(), self)
+        self.work = ImportFiles(settings.column_mappings(), self)
         self._build()
         self._join()
         self._show()

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files import words
+from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
 from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
@@ -130,7 +130,7 @@ class FilePage(QWidget):
         assumed = () if finding is None else finding.assumptions
         self._add_fact(gettext("Folder"), str(entry.path.parent))
         for name, fact in ({} if finding is None else finding.facts).items():
-            self._add_fact(words.fact_name(name), fact_text(fact))
+            self._add_fact(file_texts.fact_name(name), fact_text(fact))
         self.assumptions.setText("\n".join(map(message_text, assumed)))
         self._assumed_head.setVisible(bool(assumed))
         self.assumptions.setVisible(bool(assumed))

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files import words
+from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.panels import widgets
 from lispac.io.registry import Kind
 from lispac.language import N_, gettext
@@ -101,17 +101,17 @@ class FileTable(QTableWidget):
             self._fill_role(row, entry)
             self._fill_format(row, entry)
             for column, text in (
-                (COUNT, words.count(entry)),
-                (SPAN, words.span(entry)),
-                (FRAME, words.frame(entry)),
+                (COUNT, file_texts.count(entry)),
+                (SPAN, file_texts.span(entry)),
+                (FRAME, file_texts.frame(entry)),
             ):
                 self.item(row, column).setText(text)
                 self.item(row, column).setToolTip(widgets.plain_tip(text))
-            state, colour = words.state(intake, entry)
+            state, colour = file_texts.state(intake, entry)
             item = self.item(row, STATE)
             item.setText(state)
             item.setForeground(QColor(colour))
-            item.setIcon(words.state_icon(intake, entry))
+            item.setIcon(file_texts.state_icon(intake, entry))
             tip = "\n".join(map(message_text, intake.remarks(entry))) or state
             item.setToolTip(widgets.plain_tip(tip))
             out = intake.state(entry) == "out"
@@ -149,7 +149,7 @@ class FileTable(QTableWidget):
         roles: tuple[Kind | None, ...] = (*entry.roles, None)
         if entry.given is not None:
             roles = (entry.role,)
-        items = [(gettext(words.ROLES[role]), role) for role in roles]
+        items = [(gettext(file_texts.ROLES[role]), role) for role in roles]
         self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
 
     def _fill_format(self, row: int, entry: Entry) -> None:
@@ -158,7 +158,7 @@ class FileTable(QTableWidget):
             (message_text(each.name), each.key) for each in formats if each
         ]
         chosen = entry.format.key if entry.format is not None and items else None
-        items = items or [(words.NO_VALUE, None)]
+        items = items or [(file_texts.NO_VALUE, None)]
         self._fill_choice(row, FORMAT, entry, items, chosen, self.format_chosen)
 
     def _fill_choice(self, row: int, column: int, entry: Entry, items, chosen, signal) -> None:
@@ -179,7 +179,9 @@ class FileTable(QTableWidget):
                 ("role", N_("Role of {file}")) if column == ROLE else
                 ("format", N_("Format of {file}"))
             )  # fmt: skip
-            combo = widgets.Choice(f"{name}_{path.name}", [words.NO_VALUE], gettext(_TIPS[column]))
+            combo = widgets.Choice(
+                f"{name}_{path.name}", [file_texts.NO_VALUE], gettext(_TIPS[column])
+            )
             combo.setAccessibleName(gettext(label, file=path.name))
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
-from lispac.gui.dialogs.import_files import words
+from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.panels import widgets
 from lispac.io.registry import Format, Option
 from lispac.language import gettext
@@ -74,9 +74,9 @@ class OptionsForm(QWidget):
         self.fields, self._labels = {}, {}
         for option in options:
             field = self._field(option)
-            label = widgets.label(words.option_name(option.name))
+            label = widgets.label(file_texts.option_name(option.name))
             label.setBuddy(field)
-            field.setAccessibleName(words.option_name(option.name))
+            field.setAccessibleName(file_texts.option_name(option.name))
             self.fields[option.name], self._labels[option.name] = field, label
             self._form.addRow(label, field)
             if option.name == "crs":
@@ -88,7 +88,7 @@ class OptionsForm(QWidget):
             combo = widgets.Choice(f"option_{name}", [""], gettext(option.meaning))
             combo.clear()
             for value in option.choices:
-                combo.addItem(words.option_value(name, value), value)
+                combo.addItem(file_texts.option_value(name, value), value)
             combo.setMinimumContentsLength(12)
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon

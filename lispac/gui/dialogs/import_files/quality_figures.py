@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.envelope import envelope
-from lispac.gui.dialogs.import_files.words import time_axis
+from lispac.gui.dialogs.import_files.file_texts import time_axis
 from lispac.gui.panels.ticks import in_units
 from lispac.io.line_times import LineTimes
 from lispac.io.trajectory_facts import motion_of

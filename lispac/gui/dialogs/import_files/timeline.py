@@ -9,7 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files.words import time_axis
+from lispac.gui.dialogs.import_files.file_texts import time_axis
 from lispac.io.line_times import LineTimes
 from lispac.language import Plural, gettext, number
 from lispac.survey.time_quality import Coverage

@@ -21,7 +21,7 @@ STOPPED = "import.stopped"
 """Code of the entries that were not read because the user stopped the reading."""
 
 
-class Work(QObject):
+class ImportFiles(QObject):
     """Holds the files of an import and reads them.
 
     Parameters

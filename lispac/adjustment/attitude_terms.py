@@ -1,0 +1,34 @@
+"""Cosines and sines of the attitudes: the same in every pass over the points."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.chunks import in_chunks, kernel
+
+Array = NDArray[np.float64]
+
+
+def turns_of(attitude: Array) -> Array:
+    """Cosine and sine of roll, pitch and heading.
+
+    Parameters
+    ----------
+    attitude : ndarray of shape (n, 3), radians
+
+    Returns
+    -------
+    ndarray of shape (n, 6)
+    """
+    turns = np.empty((len(attitude), 6))
+    in_chunks(
+        lambda first, last: _turns(first, last, attitude, turns), np.arange(1, len(attitude) + 1)
+    )
+    return turns
+
+
+@kernel()
+def _turns(first, last, attitude, turns):  # type: ignore[no-untyped-def]
+    for i in range(first, last):
+        for k in range(3):
+            turns[i, 2 * k] = np.cos(attitude[i, k])
+            turns[i, 2 * k + 1] = np.sin(attitude[i, k])

@@ -1,0 +1,295 @@
+"""Warnings that name the error behind residuals that contradict the model."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from lispac.adjustment.critical import critical_w
+from lispac.adjustment.message_parts import amount, quantity
+from lispac.adjustment.omitted_parameters import OF_CONSEQUENCE
+from lispac.adjustment.parameters import SWITCHED
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CandidateCause, Contradiction
+from lispac.adjustment.shown import standing
+from lispac.adjustment.sighting_warnings import MOST_JUMPED
+from lispac.causes import RESULT, Cause
+from lispac.messages import Message, note, warning
+
+KNOWN_FROM_DATA = {
+    "audit.several_scanners": "cause.several_scanners",
+    "audit.several_sources": "cause.several_sources",
+    "audit.same_time": "cause.same_time",
+    "audit.time_resolution": "cause.time_resolution",
+    "recovery.height_offset": "cause.height_offset",
+    "recovery.time_offset": "cause.time_offset",
+    "recovery.lever_arm_x": "cause.lever_arm",
+    "recovery.lever_arm_y": "cause.lever_arm",
+    "recovery.lever_arm_z": "cause.lever_arm",
+    "recovery.roll_sign": "cause.attitude_sign",
+    "recovery.pitch_sign": "cause.attitude_sign",
+    "recovery.roll_pitch_signs": "cause.attitude_sign",
+    "recovery.several_causes": "cause.off_the_beams",
+    "recovery.unexplained": "cause.off_the_beams",
+    "trajectory.rate_too_low": "cause.rate_too_low",
+}
+"""Warnings about the imported data that explain residuals, and the code of the error."""
+SAME_ON_LINES = "data.same_on_lines"
+"""Code of a warning about the data of several lines: ``reason`` is that about the first one."""
+EFFECTS = ("effect", "shift", "misfit")
+"""Parameters of warnings about the data: by how much points are displaced, metres."""
+SURFACES_DIFFER = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
+EXPLAINS = 0.5
+"""Effect of an error known from the data over that of a candidate from which it explains it."""
+
+
+@dataclass(frozen=True)
+class KnownError:
+    """An error known from the imported data.
+
+    Attributes
+    ----------
+    code : str
+        Of its name, ``cause.height_offset``.
+    effect : float, metres
+        By how much it displaces points; infinite where that is not known.
+    """
+
+    code: str
+    effect: float
+
+    @classmethod
+    def among(cls, warnings: Iterable[Message]) -> Self | None:
+        """The one with the largest effect among warnings about the data."""
+        found = []
+        for each in warnings:
+            effect = effect_of(each)
+            first = each.params["reason"] if each.code == SAME_ON_LINES else each
+            if isinstance(first, Message) and first.code in KNOWN_FROM_DATA:
+                code = KNOWN_FROM_DATA[first.code]
+                found.append(cls(code, np.inf if effect is None else effect))
+        return max(found, key=lambda each: each.effect, default=None)
+
+    def explains(self, effect: float) -> bool:
+        """Whether it is large enough to be behind residuals of ``effect`` metres."""
+        return self.effect >= EXPLAINS * effect
+
+
+def effect_of(message: Message) -> float | None:
+    """By how much the error that a message is about displaces points, metres, where known."""
+    known = (message.params[name] for name in EFFECTS if name in message.params)
+    value = next(known, None)
+    return float(value) if isinstance(value, int | float) else None
+
+
+def cause_doubts(
+    result: AdjustmentResult, known: KnownError | None, others: Sequence[Message]
+) -> tuple[Message, ...]:
+    """Warnings about the errors behind the residuals, and the others that remain beside them.
+
+    Parameters
+    ----------
+    known : KnownError or None
+        What the imported data show.
+    others : sequence of Message
+        What else there is to warn of.
+    """
+    causes = _causes_of_earlier_version(result) if result.causes is None else result.causes
+    explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
+    unexplained = [group for group in causes if group not in explained]
+    if any(each.code == "adjustment.not_flat" for each in others):
+        found = []  # the reason has a name, and too few lines tell any other one from it
+    elif _has_too_few_lines(result):
+        found = list(_not_located(unexplained))
+    else:
+        found = [
+            message
+            for group in unexplained
+            for message in (_one(result, group[0]) if len(group) == 1 else _several(group))
+        ]
+    jumped = _jumped(result, causes)
+    if any(len(group) == 1 and group[0].kind in SWITCHED for group in causes):
+        others = [each for each in others if each.code not in SURFACES_DIFFER]
+    if known is None:
+        return (*found, *jumped, *others)
+    # These blame the targets or the LiDAR for residuals, which such an error explains.
+    effects = {
+        **dict.fromkeys(SURFACES_DIFFER, float(result.surfaces.max())),
+        "adjustment.noise": result.rms_after,
+        "adjustment.not_flat": result.rms_after,
+        "adjustment.another_surface": result.rms_after,
+    }
+    kept = [
+        each for each in others
+        if each.code not in effects or not known.explains(effects[each.code])
+    ]  # fmt: skip
+    if explained or jumped or len(kept) < len(others):
+        found.append(_consequence(known, explained))
+    return (*found, *kept)
+
+
+def _has_too_few_lines(result: AdjustmentResult) -> bool:
+    """Whether an error of one line would show nowhere, or as an error of anything else."""
+    seen = result.observability
+    return seen is not None and any(each.kind == "line" for each in seen.unchecked)
+
+
+def _not_located(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
+    if causes:
+        every = [cause for group in causes for cause in group]
+        yield note("adjustment.cause_not_located", causes=_phrases(every), subject=_place(every[0]))
+
+
+def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:
+    """The warning about a cause that is clearly better than all others."""
+    line, target = Cause.of_line(cause.line), Cause.of_target(cause.target)
+    of_line = warning if _many_lines(result, 1) else note
+    if cause.kind in SWITCHED:
+        yield _wrong_value(result, cause)
+    elif cause.kind == "line_boresight":
+        differences = [
+            note("item.angle_difference", angle=quantity(angle), difference=float(size))
+            for angle, size in zip(ANGLES, cause.size, strict=True)
+        ]
+        yield warning(
+            "adjustment.line_boresight", line=cause.line, differences=differences, subject=line
+        )
+    elif cause.kind == "line_position":
+        yield of_line(
+            "adjustment.line_position", line=cause.line, shift=_length(cause), subject=line
+        )
+    elif cause.kind == "line_time":
+        code = "adjustment.line_times_early" if _is_early(cause) else "adjustment.line_times_late"
+        yield of_line(code, line=cause.line, offset=_length(cause), subject=line)
+    elif cause.kind == "target_surface":
+        yield note("adjustment.target_not_flat", target=cause.target, subject=target)
+    elif not _named_already(result, cause):
+        yield note("adjustment.sighting_cause", cause=_phrase(cause), subject=_place(cause))
+
+
+def _wrong_value(result: AdjustmentResult, cause: CandidateCause) -> Message:
+    size, sigma = float(cause.size[0]), float(cause.sigma[0])
+    moves = [
+        note(
+            "item.angle_changed",
+            angle=quantity(angle), change=float(moved), ratio=float(abs(moved) / its_sigma),
+        )
+        for angle, moved, its_sigma in zip(ANGLES, cause.moved, result.sigma, strict=True)
+        if abs(moved) > OF_CONSEQUENCE * its_sigma
+    ]  # fmt: skip
+    code = f"adjustment.contradicted_{cause.kind}"
+    return warning(
+        code if moves else f"{code}_alone",
+        parameter=quantity(cause.kind),
+        change=note(
+            "change.larger" if size > 0 else "change.smaller", amount=amount(cause.kind, abs(size))
+        ),
+        sigma=amount(cause.kind, sigma), w=size / sigma, angles=moves,
+        subject=Cause.of_parameter(cause.kind),
+    )  # fmt: skip
+
+
+def _several(group: Sequence[CandidateCause]) -> Iterator[Message]:
+    """The warning about causes that fit about equally well."""
+    serious = any(each.kind in SWITCHED or each.kind == "line_boresight" for each in group)
+    yield (warning if serious else note)(
+        "adjustment.several_causes", causes=_phrases(group), subject=_place(group[0])
+    )
+
+
+def _consequence(known: KnownError, explained: Sequence[Sequence[CandidateCause]]) -> Message:
+    """The warning that residuals follow from an error that the data show."""
+    cause = note(known.code)
+    if not explained:
+        return note("adjustment.known_cause", cause=cause, subject=RESULT)
+    causes = _phrases([group[0] for group in explained])
+    return note("adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT)
+
+
+def _jumped(
+    result: AdjustmentResult, causes: Sequence[Sequence[CandidateCause]]
+) -> tuple[Message, ...]:
+    """Lines all of whose sightings were rejected and that no cause names."""
+    named = {each.line for group in causes for each in group}
+    jumped = sorted(set(result.suspect_lines) - named)
+    if not jumped:
+        return ()
+    make = warning if _many_lines(result, len(jumped)) else note
+    return (
+        make(
+            "adjustment.line_jumped",
+            count=len(jumped), lines=jumped, subject=Cause.of_line(jumped[0]),
+        ),
+    )  # fmt: skip
+
+
+def _many_lines(result: AdjustmentResult, count: int) -> bool:
+    """Whether so many lines are wrong that the others are doubtful as well."""
+    return count > MOST_JUMPED * len({item.sighting.line for item in result.reliability})
+
+
+def _named_already(result: AdjustmentResult, cause: CandidateCause) -> bool:
+    """Whether another warning names the sighting as rejected or as one that disagrees."""
+    critical = critical_w(result)
+    return critical is not None and any(
+        (item.sighting.target, item.sighting.line) == (cause.target, cause.line)
+        and standing(item, critical) in ("left out", "disagrees")
+        for item in result.reliability
+    )
+
+
+def _phrases(causes: Sequence[CandidateCause]) -> tuple[Message, ...]:
+    return tuple(dict.fromkeys(_phrase(each) for each in causes))
+
+
+def _phrase(cause: CandidateCause) -> Message:
+    """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
+    if cause.kind in SWITCHED:
+        size = float(cause.size[0])
+        return note(
+            "cause.larger" if size > 0 else "cause.smaller",
+            parameter=quantity(cause.kind), amount=amount(cause.kind, abs(size)),
+        )  # fmt: skip
+    if cause.kind == "line_boresight":
+        return note("cause.line_boresight", line=cause.line)
+    if cause.kind == "line_position":
+        return note("cause.line_position", line=cause.line, shift=_length(cause))
+    if cause.kind == "line_time":
+        code = "cause.times_early" if _is_early(cause) else "cause.times_late"
+        return note(code, line=cause.line, offset=_length(cause))
+    if cause.kind == "sighting_surface":
+        return note("cause.sighting_surface", target=cause.target, line=cause.line)
+    if cause.kind == "target_surface":
+        return note("cause.target_surface", target=cause.target)
+    return note("cause.sighting_shift", target=cause.target, line=cause.line, shift=_length(cause))
+
+
+def _is_early(cause: CandidateCause) -> bool:
+    """Whether point times are early: late where the latency would have to be smaller."""
+    return float(cause.size[0]) > 0
+
+
+def _length(cause: CandidateCause) -> float:
+    return float(np.linalg.norm(cause.size))
+
+
+def _place(cause: CandidateCause) -> Cause:
+    if cause.kind in SWITCHED:
+        return Cause.of_parameter(cause.kind)
+    if not cause.line:
+        return Cause.of_target(cause.target)
+    return (
+        Cause.of_sighting(cause.target, cause.line) if cause.target else Cause.of_line(cause.line)
+    )
+
+
+def _causes_of_earlier_version(
+    result: AdjustmentResult,
+) -> tuple[tuple[CandidateCause, ...], ...]:
+    """What a result kept by an earlier version says of the mounting."""
+
+    def cause(found: Contradiction) -> CandidateCause:
+        size, sigma = np.array([found.change]), np.array([found.sigma])
+        return CandidateCause(found.name, "", "", size, sigma, found.moved, 0.0, found.w**2)
+
+    return tuple((cause(found),) for found in result.contradictions)

@@ -1,0 +1,62 @@
+"""The middle of the window: the view of the lines, or ways to begin where there are none."""
+
+from PySide6.QtCore import QRect
+from PySide6.QtGui import QPainter, QPaintEvent, QRegion
+from PySide6.QtWidgets import QApplication, QStackedWidget, QVBoxLayout, QWidget
+
+from lispac.gui import theme
+from lispac.gui.start_page import StartPage
+from lispac.gui.tour import TourCard
+from lispac.gui.viewport.base import Viewport
+
+RING = 2
+"""Width of the frame that tells the view has the keys, pixels."""
+
+
+class CentralWidget(QWidget):
+    """The viewport with the start page behind it, and the tour's card above both."""
+
+    def __init__(self, viewport: Viewport) -> None:
+        super().__init__()
+        self.setMinimumSize(240, 180)
+        self.card, self.start = TourCard(), StartPage()
+        self._pages = QStackedWidget()
+        self._view = viewport.widget
+        self._pages.addWidget(self.start)
+        self._pages.addWidget(self._view)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.card)
+        layout.addWidget(_Ring(self._pages, self._view), 1)
+
+    def show_view(self, wanted: bool) -> None:
+        """Show the view, or where there is nothing to see the ways to begin."""
+        self._pages.setCurrentWidget(self._view if wanted else self.start)
+
+
+class _Ring(QWidget):
+    """A frame around the pages, drawn where the view has the focus: it draws none itself."""
+
+    def __init__(self, pages: QWidget, view: QWidget) -> None:
+        super().__init__()
+        self._view, self._drawn = view, False
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(RING, RING, RING, RING)
+        layout.addWidget(pages)
+        QApplication.instance().focusChanged.connect(self._follow)
+
+    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
+        drawn = new is not None and (new is self._view or self._view.isAncestorOf(new))
+        if drawn != self._drawn:
+            self._drawn = drawn
+            self.update(QRegion(self.rect()).subtracted(self._inside()))
+
+    def _inside(self) -> QRect:
+        return self.rect().adjusted(RING, RING, -RING, -RING)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._drawn:
+            painter = QPainter(self)
+            painter.setClipRegion(QRegion(self.rect()).subtracted(self._inside()))
+            painter.fillRect(self.rect(), theme.colour("accent"))

@@ -1,0 +1,281 @@
+"""Adjustment of the boresight: on request, and automatically after a sighting is excluded."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from lispac.errors import Cancelled, LispacError
+from lispac.gui import units
+from lispac.gui.controller import Controller
+from lispac.gui.document import Document, data_key
+from lispac.gui.panels.histograms import preload
+from lispac.gui.scene import Scene
+from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import N_, Plural, gettext, gettext_lazy
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
+from lispac.progress import Progress, part
+from lispac.project import Project, Settings
+from lispac.survey.cloud import Cloud
+from lispac.workflow.survey import Survey
+
+REST_MS = 250
+"""Several clicks in a row make one adjustment."""
+
+ESTIMATED = Plural(
+    "Estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Estimated from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+ESTIMATED_AGAIN = Plural(
+    "Estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+ESTIMATED_SAME_POINTS = Plural(
+    "Estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class _Selection:
+    """The points selected again with the boresight found, and the project they were chosen for."""
+
+    asked: Project
+    survey: Survey
+    selected: Project
+
+    def serves(self, project: Project, survey: Survey) -> bool:
+        """Whether the sightings ``project`` uses are all among those selected."""
+        if survey is not self.survey or project.settings != self.asked.settings:
+            return False
+        known = {
+            (target.name, sighting.line): sighting.indices
+            for target in self.asked.of_role("target")
+            for sighting in target.used_sightings
+        }
+        return all(
+            known.get((target.name, sighting.line)) is sighting.indices
+            for target in project.of_role("target")
+            for sighting in target.used_sightings
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _EstimationResult:
+    estimated: Project
+    selection: _Selection
+    clouds: Mapping[str, Cloud]
+    replaced: Survey | None
+    """The survey where the prior mounting moved its points."""
+
+
+class Estimation(QObject):
+    """Runs the adjustment, and keeps the selected points so that the next one is quick."""
+
+    estimated = Signal()
+    """An adjustment that was asked for has a result."""
+
+    def __init__(
+        self, document: Document, runner: TaskRunner, scene: Scene, controller: Controller
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._runner = document, runner
+        self._scene, self._controller = scene, controller
+        self._selection: _Selection | None = None
+        self._following: tuple[Task, Project] | None = None
+        self._wants_checks = False
+        self._unchecked: Project | None = None
+        self._checking: Task | None = None
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._follow)
+        document.changed.connect(self._watch)
+        document.opened.connect(self._forget)
+        runner.idle.connect(self._watch)
+        runner.failed.connect(self._keep_older)
+        self._asked: Task | None = None
+
+    def estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight with these settings, then show the lines placed with it."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        asked = project if settings == project.settings else project.with_settings(settings)
+        moved = data_key(asked) != data_key(project)
+
+        def work(progress: Progress) -> _EstimationResult:
+            settings.require_sound()
+            placed = survey.with_prior(asked.mounting("prior")) if moved else survey
+            answer = _adjusted(asked, placed, None, cross_check, progress)
+            return replace(answer, replaced=placed) if moved else answer
+
+        def done(answer: _EstimationResult) -> None:
+            if self._document.project is not project or answer.estimated.result is None:
+                return
+            self._selection, self._wants_checks = answer.selection, cross_check
+            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._document.edit(N_("estimate"), answer.estimated, survey=answer.replaced)
+            # Another survey made the scene let go of what it had.
+            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._scene.show("estimated")
+            self._note(answer.estimated, ESTIMATED)
+            self.estimated.emit()
+
+        task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
+        self._asked = task
+        self._controller.based_on_project(task)
+
+    def stop(self) -> None:
+        """Stop the timer."""
+        self._rest.stop()
+
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current
+        return self._document.project, self._document.survey if current else None
+
+    def _forget(self) -> None:
+        project = self._document.project
+        self._selection, self._unchecked = None, None
+        self._wants_checks = project is not None and project.cross_checks is not None
+
+    def _keep_older(self, error: BaseException) -> None:
+        """Remember that what was asked for was refused, where an older result stays."""
+        asked = self._asked
+        if asked is not None and asked.error is error and isinstance(error, LispacError):
+            self._document.keep_older(error.reason)
+
+    # -- what follows from a click -----------------------------------------------------------
+
+    def _watch(self) -> None:
+        """Start the wait for a result that is to follow, unless it is on its way."""
+        if not self._document.awaits_result:
+            self._rest.stop()
+            self._following = None
+            self._check()
+            return
+        task, base = self._following or (None, None)
+        if base is self._document.project and task is not None:
+            if self._runner.active:
+                return
+            if task.cancel.is_set() and not task.gave_way:
+                self._document.refuse(error("window.adjustment_cancelled"))
+                return
+            if task.error is not None and not isinstance(task.error, Cancelled):
+                self._document.refuse(error("window.adjustment_failed"))
+                return
+        self._rest.start()
+
+    def _follow(self) -> None:
+        project, survey = self._ready()
+        if project is None or survey is None or not self._document.awaits_result:
+            return
+        if self._runner.busy:
+            return  # the runner tells when it is idle
+        kept = self._selection
+        selection = kept if kept is not None and kept.serves(project, survey) else None
+
+        def work(progress: Progress) -> _EstimationResult | Message | str:
+            try:
+                return _adjusted(project, survey, selection, False, progress, advise=False)
+            except LispacError as failure:
+                return failure.reason
+
+        def done(answer: _EstimationResult | Message | str) -> None:
+            if self._document.project is not project:
+                return
+            if not isinstance(answer, _EstimationResult):
+                self._document.refuse(answer)
+                text = message_text(answer) if isinstance(answer, Message) else answer
+                self._controller.noted.emit(text)
+                return
+            self._selection = answer.selection
+            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._unchecked = answer.estimated
+            self._document.amend(answer.estimated)
+            self._note(answer.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
+
+        # A quick one gives way to what the user asks for; a slow one can be cancelled.
+        task = self._runner.run(
+            gettext("Estimating again"), work, done, quiet=selection is not None, key="follow"
+        )
+        self._following = (task, project)
+        self._asked = task
+        self._controller.based_on_project(task)
+
+    def _check(self) -> None:
+        """Let what followed from a click be advised on and cross-checked when nothing else runs.
+
+        The advice takes half as long as the adjustment itself, the cross-checks ten times as long.
+        """
+        if self._runner.active:
+            return
+        last, self._checking = self._checking, None
+        if last is not None and last.cancel.is_set() and not last.gave_way:
+            self._unchecked = None  # cancelled by hand
+        (project, survey), selection = self._ready(), self._selection
+        if project is None or project is not self._unchecked or survey is None:
+            return
+        if selection is None or not selection.serves(project, survey):
+            return
+
+        wanted = self._wants_checks
+
+        def work(progress: Progress) -> Project:
+            from lispac.workflow.calibration import check
+
+            return check(project, selection.selected, survey, cross_check=wanted, progress=progress)
+
+        def done(checked: Project) -> None:
+            if self._document.project is project and checked.result is not None:
+                self._unchecked = None
+                self._scene.keep_placed(project.result, checked.result)
+                self._document.amend(checked)
+
+        title = gettext("Cross-checking") if wanted else gettext("Searching for a further line")
+        self._checking = self._runner.run(title, work, done, quiet=True, key="follow")
+
+    def _note(self, project: Project, text: Plural) -> None:
+        result = project.result
+        assert result is not None
+        self._controller.noted.emit(
+            gettext(
+                text,
+                count=result.points,
+                elapsed=result.elapsed,
+                before=units.local_amount(1000 * result.rms_before, "mm", ".1f"),
+                after=units.local_amount(1000 * result.rms_after, "mm", ".1f"),
+            )
+        )
+
+
+def _adjusted(
+    project: Project,
+    survey: Survey,
+    selection: _Selection | None,
+    cross_check: bool,
+    progress: Progress,
+    *,
+    advise: bool = True,
+) -> _EstimationResult:
+    """In the worker: select the points where need be, adjust, and place the lines."""
+    from lispac.workflow.calibration import select, solve
+
+    preload()
+    started = perf_counter()
+    if selection is None:
+        selected = select(project, survey, progress=part(progress, 0.0, 0.7))
+        selection = _Selection(project, survey, selected)
+    solved = solve(
+        project, selection.selected, survey,
+        cross_check=cross_check, advise=advise, progress=part(progress, 0.7, 0.95),
+    )  # fmt: skip
+    assert solved.result is not None
+    elapsed = perf_counter() - started
+    # The checks hold the very result they stand beside.
+    estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
+    progress(0.95, gettext_lazy("Placing the lines with the estimated boresight"))
+    clouds = survey.shown(estimated, "estimated", progress=part(progress, 0.95, 1.0))
+    return _EstimationResult(estimated, selection, clouds, None)

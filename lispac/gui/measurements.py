@@ -1,0 +1,116 @@
+"""Distances and angles measured with clicks on points."""
+
+from collections.abc import Callable
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.errors import InputError
+from lispac.geometry import measuring
+from lispac.gui import units
+from lispac.gui.actions import Actions
+from lispac.gui.mouse_tool import MouseTool
+from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
+from lispac.language import N_, gettext
+
+COLOUR: Colour = (0, 90, 200)
+SKETCH = "measure"
+HINTS = {
+    "measure_distance": (N_("Click the first point"), N_("Click the second point")),
+    "measure_angle": (
+        N_("Click a point on the first side"),
+        N_("Click the vertex"),
+        N_("Click a point on the second side"),
+    ),
+}
+AGAIN = N_("Click to measure again")
+
+
+class Measurements(QObject):
+    """Two clicks give a distance, three an angle; the next click begins anew."""
+
+    def __init__(
+        self,
+        viewport: Viewport,
+        actions: Actions,
+        pointing: MouseTool,
+        note: Callable[[str], None],
+    ) -> None:
+        super().__init__(actions)
+        self._viewport, self._pointing, self._note = viewport, pointing, note
+        self._points: list[Array] = []
+        for tool in HINTS:
+            actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
+
+    def restart(self) -> None:
+        """Clear the points, because the lines have moved."""
+        self._points = []
+        self._viewport.show_sketch(SKETCH, None)
+        if self._pointing.tool in HINTS:
+            self._pointing.hint(gettext(HINTS[self._pointing.tool][0]))
+
+    def _switch(self, tool: str, on: bool) -> None:
+        if on:
+            hint = gettext(HINTS[tool][0])
+            self._pointing.begin(tool, hint, pointed=self._take, ended=self.restart)
+        else:
+            self._pointing.end()
+
+    def _take(self, point: PickedPoint) -> None:
+        tool = self._pointing.tool
+        needed = len(HINTS[tool])
+        if len(self._points) == needed:
+            self._points = []
+        self._points.append(np.array(point.position))
+        text = metric = ""
+        if len(self._points) == needed:
+            try:
+                measure = angle_text if needed == 3 else distance_text
+                text = measure(*self._points)
+                with units.standard():
+                    metric = measure(*self._points)
+            except InputError as error:
+                self._note(str(error))
+                self.restart()
+                return
+            one_line = text.replace("\n", ", ")
+            self._note(one_line)
+        hints = (*HINTS[tool], AGAIN)
+        self._pointing.hint(gettext(hints[len(self._points)]))
+        self._viewport.show_sketch(SKETCH, _sketch(self._points, text, metric))
+
+
+def distance_text(first: Array, second: Array) -> str:
+    """A distance and its components, one on each line."""
+    found = measuring.distance(first, second)
+    vertical = units.local_amount(found.vertical, "m", "+.3f")
+    return gettext(
+        "Slope distance {slope}\nHorizontal {horizontal}\nVertical {vertical}\n"
+        "Azimuth {azimuth:deg.2}°",
+        slope=units.local_amount(found.slope, "m", ".3f"),
+        horizontal=units.local_amount(found.horizontal, "m", ".3f"),
+        vertical=vertical,
+        azimuth=found.azimuth,
+    )
+
+
+def angle_text(first: Array, vertex: Array, second: Array) -> str:
+    """An angle and the lengths of its sides, one on each line."""
+    sides = [measuring.distance(vertex, end).slope for end in (first, second)]
+    one, other = (units.local_amount(each, "m", ".3f") for each in sides)
+    return gettext(
+        "Angle {angle:deg.2}°\nSides {first} and {second}",
+        angle=measuring.angle(first, vertex, second),
+        first=one,
+        second=other,
+    )
+
+
+def _sketch(points: list[Array], text: str, metric: str) -> Sketch:
+    places = tuple((float(p[0]), float(p[1]), float(p[2])) for p in points)
+    edges = tuple((k, k + 1) for k in range(len(places) - 1))
+    at = None
+    if text:
+        middle = points[1] if len(points) == 3 else 0.5 * (points[0] + points[1])
+        at = (float(middle[0]), float(middle[1]), float(middle[2]))
+    return Sketch(places, edges, COLOUR, dots=True, label=text, at=at, metric=metric)

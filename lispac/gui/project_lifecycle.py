@@ -1,0 +1,204 @@
+"""Opening, estimating, exporting and leaving a project, with the questions to the user."""
+
+import itertools
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QMenu
+
+from lispac.errors import InputError
+from lispac.gui.computations import Computations
+from lispac.gui.controller import Controller
+from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.document import Document
+from lispac.gui.estimation import Estimation
+from lispac.gui.places import kept
+from lispac.gui.scene import Scene
+from lispac.gui.settings import AppSettings
+from lispac.installed import home_folder
+from lispac.io.seed_file import looks_like_a_list
+from lispac.language import gettext
+from lispac.project import Project, Settings
+from lispac.workflow.export_request import What
+from lispac.workflow.intake import project_among
+from lispac.workflow.moved import missing, with_files_in
+
+
+class ProjectLifecycle(QObject):
+    """Asks for files and folders, and before changes would be lost."""
+
+    list_dropped = Signal(object)
+    """Path of a list of target coordinates."""
+
+    def __init__(
+        self,
+        document: Document,
+        controller: Controller,
+        computing: Computations,
+        estimating: Estimation,
+        scene: Scene,
+        dialogs: Dialogs,
+        settings: AppSettings,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._controller, self._computing = document, controller, computing
+        self._estimating, self._scene = estimating, scene
+        self._dialogs, self._settings = dialogs, settings
+        controller.files_missing.connect(self._seek_files)
+
+    def may_leave(self) -> bool:
+        """Whether the present project may go; asks where it has changes."""
+        project = self._document.project
+        if project is None or not self._document.is_modified:
+            return True
+        answer = self._dialogs.save_changes(project.name)
+        if answer == "save":
+            return self._controller.save()
+        return answer == "discard"
+
+    def open_project(self, path: Path) -> None:
+        """Open a project, after asking about changes to the present one."""
+        if self.may_leave():
+            self._controller.open(path)
+
+    def new(self, paths: Sequence[Path] = ()) -> None:
+        """Ask what a new project holds, and make it; ``paths`` are files to begin with."""
+        if self.may_leave():
+            answer = self._dialogs.new_project(self._settings, paths)
+            if isinstance(answer, Path):
+                self._controller.open(answer)
+            elif answer is not None:
+                self._controller.create(answer)
+
+    def add_lines(self, paths: Sequence[Path] = ()) -> None:
+        """Ask for more lines of the open project, and add them; ``paths`` are files to begin with.
+
+        Nothing is asked about its changes: they stay, and the addition is one more.
+        """
+        project = self._document.project
+        if project is None:
+            return
+        answer = self._dialogs.add_lines(self._settings, project, paths)
+        if isinstance(answer, Path):
+            self.open_project(answer)
+        elif answer and self._document.project is project:
+            self._controller.add_lines(answer)
+
+    def take_in(self, paths: Sequence[Path]) -> None:
+        """Take files that were dropped on the window.
+
+        A project is opened; a list of target coordinates gives seeds to the open one; others
+        become lines of it, or a new project.
+        """
+        if self._controller.busy:
+            self._controller.noted.emit(
+                gettext("Wait until the running task has ended, then drop the files again.")
+            )
+            return
+        project = project_among(paths)
+        current = self._document.project
+        if project is not None:
+            self.open_project(project)
+        elif current is None:
+            self.new(paths)
+        elif len(paths) == 1 and looks_like_a_list(paths[0]):
+            self.list_dropped.emit(paths[0])
+        else:
+            answer = self._dialogs.add_or_new(current.name)
+            if answer == "add":
+                self.add_lines(paths)
+            elif answer == "new":
+                self.new(paths)
+
+    def open(self) -> None:
+        """Ask for a project, and open it."""
+        if self.may_leave():
+            recent = self._settings.recent()
+            path = self._dialogs.project_to_open(recent[0].parent if recent else home_folder())
+            if path is not None:
+                self._controller.open(path)
+
+    def _seek_files(self, project: Project) -> None:
+        """Ask where the files of a project are now, as long as some are missing."""
+        while True:
+            folder = self._dialogs.files_now(project.name, missing(project), project.folder)
+            if folder is None:
+                self._controller.noted.emit(
+                    gettext("{project} was not opened: files are missing", project=project.name)
+                )
+                return
+            try:
+                found = with_files_in(project, folder)
+            except InputError as error:
+                self._dialogs.show_error(error)
+                continue
+            self._controller.open_found(found)
+            return
+
+    def save_as(self) -> None:
+        """Ask for another folder, save the project there and go on with it."""
+        project = self._document.project
+        if project is not None and self._document.survey_is_current:
+            folder = self._dialogs.folder_to_save_in(_beside(project.folder))
+            if folder is not None:
+                self._controller.save_as(folder)
+
+    def demo(self) -> None:
+        """Open the built-in survey."""
+        if self.may_leave():
+            self._controller.open_demo()
+
+    def list_recent(self, menu: QMenu) -> None:
+        """Fill the menu of recent projects."""
+        menu.clear()
+        for folder in self._settings.recent():
+            action = menu.addAction(str(folder))
+            action.triggered.connect(lambda _=False, folder=folder: self.open_project(folder))
+        if menu.isEmpty():
+            menu.addAction(gettext("No project yet")).setEnabled(False)
+        else:
+            menu.addSeparator()
+            menu.addAction(gettext("Clear recent projects")).triggered.connect(
+                self._settings.forget_recent
+            )
+
+    def estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight; asks where a plane was found and not yet accepted."""
+        candidate = self._controller.candidate
+        if candidate is not None:
+            answer = self._dialogs.candidate_waits(candidate.name)
+            if answer == "cancel":
+                return
+            if answer == "accept":
+                self._controller.accept()
+            else:
+                self._controller.reject()
+        self._estimating.estimate(settings, cross_check)
+
+    @property
+    def exports(self) -> dict[str, Callable[[], None]]:
+        """What is exported besides the report, by the name of its action."""
+        return {
+            "lines": self.export,
+            "targets": lambda: self.export("targets"),
+            "trajectory": lambda: self.export("trajectory"),
+        }
+
+    def export(self, what: What = "lines") -> None:
+        """Ask how lines, targets or the trajectory are exported, and write them."""
+        project, survey = self._document.project, self._document.survey
+        if project is not None and survey is not None:
+            request = self._dialogs.export(what, self._scene.which, project, survey.trajectory)
+            if request is not None:
+                self._computing.export(request)
+
+
+def _beside(folder: Path) -> Path:
+    """A free name beside the project, or at home where nothing can be written or is not kept."""
+    parent = kept(folder.parent)
+    if not os.access(parent, os.W_OK):
+        parent = home_folder()
+    names = (f"{folder.name}-{k}" for k in itertools.count(2))
+    return next(parent / name for name in names if not (parent / name).exists())

@@ -1,0 +1,190 @@
+"""The report from the window: identity of the project, preview and export."""
+
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QImage
+
+from lispac.errors import InputError
+from lispac.gui.photographer import Photographer
+from lispac.gui.places import kept
+from lispac.installed import home_folder
+from lispac.language import N_, gettext
+from lispac.messages import error
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.report.options import ReportOptions
+from lispac.workflow.survey import Survey
+from lispac.workflow.survey_dates import survey_dates
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+    from lispac.report.pdf import Preview
+
+PPI = 96.0
+"""Pixels per inch of a page on the screen, where a pixel is one of the screen's."""
+
+
+class ReportExport(QObject):
+    """Asks for the details and options of the report, previews it and writes it."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._document, self._dialogs = window.document, window.dialogs
+        self._runner, self._controller = window.runner, window.controller
+        self._photographer = Photographer(
+            self._document, self._runner, self._controller, window.scene, window.viewport, self
+        )
+        self._computing = window.computing
+        self._panel, self._settings = window.report, window.settings
+        self._panel.show_choice(self._settings.report_choice())
+        self._panel.report_asked.connect(self.export)
+        self._panel.preview_asked.connect(self.preview)
+        self._panel.template_asked.connect(self.ask_template)
+        self._panel.changed.connect(self._remember)
+        window.actions_["report"].triggered.connect(lambda _=False: self.export())
+        for panel in (window.data, window.report):
+            panel.details_asked.connect(self.ask_details)
+
+    def ask_details(self) -> None:
+        """Ask for surveyor, dates and equipment, as one undo step."""
+        project, survey = self._document.project, self._survey
+        if project is None:
+            return
+        answer = self._dialogs.identity(
+            project.identity, lambda: "" if survey is None else survey_dates(project, survey)
+        )
+        current = self._document.project  # a task may have ended meanwhile
+        if answer is not None and current is not None and answer != current.identity:
+            self._document.edit(N_("details for the report"), current.with_identity(answer))
+
+    def ask_template(self) -> None:
+        """Ask for a template."""
+        last = self._settings.report_choice()[0]
+        path = self._dialogs.report_template(Path(last).parent if last else home_folder())
+        if path is not None:
+            self._panel.show_template(path)
+            self._remember()
+
+    def export(self) -> None:
+        """Ask where the report goes, and write it with pictures of the view."""
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return
+        path = self._dialogs.report_file(kept(project.folder) / f"{project.name}.pdf")
+        if path is not None:
+            write = partial(self._write, project, survey, options, path)
+            self._computing.with_placed(
+                project, survey, lambda: self._photographer.take(project, write)
+            )
+
+    def _write(
+        self,
+        project: Project,
+        survey: Survey,
+        options: ReportOptions,
+        path: Path,
+        pictures: dict[str, QImage],
+    ) -> None:
+        refused = self._document.refused_since
+
+        def work(progress: Progress) -> Path:
+            from lispac.workflow.export import write_report
+
+            with _as_files(pictures) as files:
+                write_report(
+                    project, survey, path, pictures=files, options=options, refused=refused,
+                    progress=progress,
+                )  # fmt: skip
+            return path
+
+        title = gettext("Writing the report")
+        self._runner.run(title, work, partial(self._written, project), lasting=True)
+
+    def preview(self) -> None:
+        """Show the pages as they will be printed."""
+        project, survey, options = self._document.project, self._survey, self._options()
+        if project is None or project.result is None or survey is None or options is None:
+            return
+        set_pages = partial(self._set, project, survey, options)
+        self._computing.with_placed(
+            project, survey, lambda: self._photographer.take(project, set_pages)
+        )
+
+    def _set(
+        self,
+        project: Project,
+        survey: Survey,
+        options: ReportOptions,
+        pictures: dict[str, QImage],
+    ) -> None:
+        refused = self._document.refused_since
+        ppi = PPI * self._panel.devicePixelRatioF()
+
+        def work(progress: Progress) -> "Preview":
+            from lispac.workflow.export import preview_report
+
+            with _as_files(pictures) as files:
+                return preview_report(
+                    project, survey, pictures=files, options=options, refused=refused, ppi=ppi,
+                    progress=progress,
+                )  # fmt: skip
+
+        self._runner.run(
+            gettext("Laying out the pages"),
+            work,
+            lambda preview: self._show(project, preview),
+            shows=True,
+        )
+
+    def _show(self, project: Project, preview: "Preview") -> None:
+        def save() -> str:
+            path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
+            if path is None:
+                return ""
+            from lispac.workflow.export import save_preview
+
+            try:
+                save_preview(preview, path)
+            except InputError as error:
+                self._controller.refused.emit(error)
+                return ""
+            self._written(project, path)
+            return gettext("Wrote {path}", path=path)
+
+        self._dialogs.preview(preview.pages, save)
+
+    def _written(self, project: Project, path: Path) -> None:
+        self._document.mark_reported(project, path.name)
+        self._controller.noted.emit(gettext("Wrote {path}", path=path))
+
+    def _options(self) -> ReportOptions | None:
+        """Options of the report; None if they cannot be used."""
+        try:
+            return self._panel.options()
+        except InputError as error:
+            self._controller.refused.emit(error)
+            return None
+
+    def _remember(self) -> None:
+        self._settings.keep_report_choice(self._panel.choice)
+
+    @property
+    def _survey(self) -> Survey | None:
+        return self._document.survey if self._document.survey_is_current else None
+
+
+@contextmanager
+def _as_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
+    """Pictures as PNG files for as long as this lasts; for the worker, since it takes a while."""
+    with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
+        files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
+        for caption, file in files.items():
+            if not pictures[caption].save(str(file), "PNG"):
+                raise InputError(error("window.disk_full", file=str(file)))
+        yield files

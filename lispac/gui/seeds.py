@@ -1,0 +1,136 @@
+"""Seeds from typed coordinates and from lists of coordinates."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.seed_options import SeedOptions
+from lispac.language import N_, Plural, gettext
+from lispac.message_texts import message_text
+from lispac.progress import Progress
+from lispac.project import Project
+from lispac.workflow.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+    from lispac.workflow.seed_lists import Outcome
+
+Picked = tuple[Project, tuple["Outcome", ...]]
+
+
+class SeedActions(QObject):
+    """Asks for seeds and searches for their targets."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._document, self._runner = window.document, window.runner
+        self._controller, self._dialogs = window.controller, window.dialogs
+        self._targets, self._actions = window.targets, window.actions_
+        window.actions_["seed_at"].triggered.connect(lambda _=False: self.type_seed())
+        window.actions_["seed_list"].triggered.connect(lambda _=False: self.list_seeds())
+        window.targets.type_seed.clicked.connect(lambda: self.type_seed())
+        window.targets.list_seeds.clicked.connect(lambda: self.list_seeds())
+        window.life.list_dropped.connect(self.list_seeds)
+        for changed in (
+            window.document.changed, window.document.survey_changed, window.runner.changed,
+        ):  # fmt: skip
+            changed.connect(self._enable)
+        self._enable()
+
+    def type_seed(self) -> None:
+        """Ask for coordinates and search for the target there."""
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        from lispac.workflow.picking import next_name
+
+        wishes = self._targets.wishes
+        added = wishes.line is not None and wishes.selected is not None
+        name = wishes.selected if added else next_name(project, wishes.role)
+        assert name is not None
+        answer = self._dialogs.seed_at(project, survey.trajectory, wishes, name)
+        if answer is not None and self._document.project is project:
+            named, place = answer
+            self._controller.seek(place, wishes, name="" if added else named)
+
+    def list_seeds(self, path: Path | None = None) -> None:
+        """Show a list of coordinates and search for the ticked targets, as one undo step.
+
+        Parameters
+        ----------
+        path : Path, optional
+            Asked for if it is not given.
+        """
+        project, survey = self._ready()
+        if project is None or survey is None:
+            return
+        path = path or self._dialogs.seed_list_file(project.folder)
+        if path is None:
+            return
+        wishes = self._targets.wishes
+        seeds = self._dialogs.seed_list(path, project, survey.trajectory, _search_summary(wishes))
+        if not seeds or self._document.project is not project:
+            return
+
+        def work(progress: Progress) -> Picked:
+            from lispac.workflow.seed_lists import pick_seeds
+
+            return pick_seeds(project, survey, seeds, wishes.how, progress=progress)
+
+        def done(picked: Picked) -> None:
+            edited, outcomes = picked
+            self._take_over(path, edited, outcomes)
+
+        title = Plural(
+            "Searching for the target of {count:n} seed of {file}",
+            "Searching for the targets of {count:n} seeds of {file}",
+        )
+        text = gettext(title, count=len(seeds), file=path.name)
+        task = self._runner.run(text, work, done, shows=True)
+        self._controller.based_on_project(task)
+
+    def _take_over(self, path: Path, edited: Project, outcomes: "tuple[Outcome, ...]") -> None:
+        from lispac.workflow.target_search import thinned_notes
+
+        names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
+        candidate = self._controller.candidate
+        if candidate is not None and candidate.name in names:
+            self._controller.reject()  # its name is taken now
+        for outcome in outcomes:
+            for each in thinned_notes(outcome.target) if outcome.target else ():
+                self._controller.noted.emit(message_text(each))
+        if names:
+            self._document.edit(N_("seeds of {file}"), edited, file=path.name)
+        found = Plural(
+            "{file}: a target was found for {found:n} of {count:n} seed",
+            "{file}: targets were found for {found:n} of {count:n} seeds",
+        )
+        self._controller.noted.emit(
+            gettext(found, file=path.name, found=len(names), count=len(outcomes))
+        )
+        self._dialogs.seeds_found(outcomes, len(edited.lines))
+
+    def _ready(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current and not self._runner.busy
+        return self._document.project, self._document.survey if current else None
+
+    def _enable(self) -> None:
+        ready = self._ready()[1] is not None
+        for button in (self._targets.type_seed, self._targets.list_seeds):
+            button.setEnabled(ready)
+        for name in ("seed_at", "seed_list"):
+            self._actions[name].setEnabled(ready)
+
+
+def _search_summary(wishes: SeedOptions) -> str:
+    """How the targets of a list are searched for."""
+    if wishes.shape == "plane":
+        return gettext(
+            "Planes are searched for in all lines, with the search radius, the threshold and the "
+            "other settings of step 2."
+        )
+    return gettext(
+        "Spheres, and planes for validation, are searched for in all lines, with the search "
+        "radius, the threshold and the other settings of step 2."
+    )

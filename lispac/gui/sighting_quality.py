@@ -1,0 +1,113 @@
+"""Quality of the sightings, computed in the background while no other task runs."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.gui.document import Document
+from lispac.gui.tasks import Task, TaskRunner
+from lispac.language import gettext
+from lispac.progress import Progress
+from lispac.project import Project, Target
+from lispac.targets.quality import SightingQuality
+from lispac.workflow.qualities import AssessedQuality, judge
+from lispac.workflow.survey import Survey
+
+Key = tuple[str, str]
+
+
+class QualityComputation(QObject):
+    """Keeps the quality of every sighting in step with the project."""
+
+    judged = Signal(object)
+    """Qualities by the names of target and line, those that are known by now."""
+    candidate_judged = Signal(object)
+    """Qualities of the candidate, by line."""
+
+    def __init__(self, document: Document, runner: TaskRunner, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._runner = document, runner
+        self._known: Mapping[Key, AssessedQuality] = {}
+        self._asked: tuple[Task, Project] | None = None
+        self._candidate: Target | None = None
+        self._asked_candidate: tuple[Task, Target] | None = None
+        document.changed.connect(self._watch)
+        runner.idle.connect(self._judge)
+
+    def _watch(self) -> None:
+        self._tell()
+        if not self._runner.active:
+            self._judge()
+
+    def judge_candidate(self, candidate: Target | None) -> None:
+        """Judge a target just found, before it is accepted."""
+        self._candidate = candidate
+        if not self._runner.active:
+            self._judge()
+
+    def _still_known(self) -> dict[Key, SightingQuality]:
+        """The qualities that are those of the sightings as they are now.
+
+        While a new result is on its way those of the last one stay: it moves little.
+        """
+        project, waits = self._document.project, self._document.awaits_result
+        still: dict[Key, SightingQuality] = {}
+        for target in () if project is None else project.targets:
+            for sighting in target.sightings:
+                each = self._known.get((target.name, sighting.line))
+                if each is None or each.indices is not sighting.indices:
+                    continue
+                if waits or each.holds(project, target, sighting):
+                    still[target.name, sighting.line] = each.quality
+        return still
+
+    def _tell(self) -> None:
+        self.judged.emit(self._still_known())
+
+    def _judge(self) -> None:
+        document, known = self._document, self._known
+        project, survey = document.project, document.survey
+        if project is None or survey is None or not document.survey_is_current:
+            return
+        if self._runner.active or document.awaits_result:
+            return  # the runner tells when it is idle
+        if self._candidate is not None and self._judges_candidate(self._candidate, project, survey):
+            return
+        task, asked = self._asked or (None, None)
+        if task is not None and asked is project and not task.gave_way:
+            return  # it failed, or was cancelled by hand
+        if len(self._still_known()) == sum(len(target.sightings) for target in project.targets):
+            return
+
+        def work(progress: Progress) -> dict[Key, AssessedQuality]:
+            return judge(project, survey, known=known, progress=progress)
+
+        def done(judged: dict[Key, AssessedQuality]) -> None:
+            self._known = judged
+            self._tell()
+
+        title = gettext("Rating the sightings")
+        task = self._runner.run(title, work, done, quiet=True, key="quality")
+        self._asked = (task, project)
+
+    def _judges_candidate(self, candidate: Target, project: Project, survey: Survey) -> bool:
+        """Give the candidate to the worker, unless it was judged or failed; whether that was so."""
+        task, asked = self._asked_candidate or (None, None)
+        if task is not None and asked is candidate and not task.gave_way:
+            return False
+
+        def work(progress: Progress) -> dict[Key, AssessedQuality]:
+            alone = replace(project, targets=(candidate,))
+            return judge(alone, survey, progress=progress)
+
+        def done(judged: dict[Key, AssessedQuality]) -> None:
+            if self._candidate is not candidate:
+                return
+            self._known = {**judged, **self._known}  # it holds when it is accepted
+            self.candidate_judged.emit({line: each.quality for (_, line), each in judged.items()})
+
+        title = gettext("Rating {target}", target=candidate.name)
+        task = self._runner.run(title, work, done, quiet=True, key="candidate")
+        self._asked_candidate = task, candidate
+        return True

@@ -1,0 +1,315 @@
+"""Design of a site: the window of the workspace, its files and its long tasks."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from lispac.design.monte_carlo import Scatter
+from lispac.design.objective import CRITERIA
+from lispac.design.scenarios import Outcome
+from lispac.design.search import Design
+from lispac.errors import LispacError, ProjectError
+from lispac.gui.design import edits
+from lispac.gui.design.campaigns import all_scenarios, best_plan, simulated_surveys
+from lispac.gui.design.search import SearchResult
+from lispac.gui.design.window import DesignWindow
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.panels.histograms import preload
+from lispac.gui.tasks import TaskRunner
+from lispac.installed import home_folder
+from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.language import gettext, gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress
+from lispac.workflow.plan_checks import headline, write_field_plan
+from lispac.workflow.replay import Replay, replay
+from lispac.workflow.survey import load_survey
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+
+class SiteDesign(QObject):
+    """Controls the design window; it has a worker of its own, so that both windows can be used.
+
+    Attributes
+    ----------
+    window : DesignWindow or None
+        None until it is asked for.
+    paper : TaskRunner
+        Writes field plans, also while a search runs.
+    """
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._main, self._dialogs = window, window.dialogs
+        self.window: DesignWindow | None = None
+        self.workspace = Workspace(self)
+        self.runner, self.paper = TaskRunner(self), TaskRunner(self)
+        self._path: Path | None = None
+        window.actions_["design"].triggered.connect(lambda _=False: self.open())
+
+    def take_over(self, former: "SiteDesign") -> None:
+        """Go on with the plan of a window that goes, and with what is shown of it."""
+        self._path = former._path
+        self.workspace.take_over(former.workspace)
+        if former.window is not None:
+            self.window = self._made()
+            self.window.take_over(former.window)
+            if former.window.isVisible():
+                self.window.show()
+
+    def take_sensors(self) -> None:
+        """Ask for sensors of the library, and put their sigmas into the plan."""
+        chosen = self._dialogs.sensors_of_plan(self._main.settings)
+        if chosen is None or chosen == (None, None):
+            return
+        self.workspace.edit(
+            gettext_lazy("Sensors"), edits.with_sensors(self.workspace.titled, *chosen)
+        )
+
+    def open(self) -> None:
+        """Show the window, in front."""
+        if self.window is None:
+            self.window = self._made()
+        self.window.show()
+        self.window.raise_()
+        self.window.activateWindow()
+
+    def _made(self) -> DesignWindow:
+        window = DesignWindow(self.workspace, self._main.viewport.another, self._main)
+        for name, slot in {
+            "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
+            "page": self.write_page, "scenarios": self.scenarios, "cancel": self.runner.cancel,
+            "compare": self.compare, "keys": self._dialogs.shortcuts,
+        }.items():  # fmt: skip
+            window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
+        window.search.asked.connect(self.search)
+        window.system.library_asked.connect(self.take_sensors)
+        window.search.cancel_asked.connect(self.runner.cancel)
+        window.surveys.asked.connect(self.surveys)
+        window.surveys.cancel_asked.connect(self.runner.cancel)
+        window.search.file_asked.connect(self.read_site)
+        window.task_bar.cancel_asked.connect(self.runner.cancel)
+        self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
+        self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
+        self.runner.failed.connect(self._dialogs.show_error)
+        self.paper.failed.connect(self._dialogs.show_error)
+        window.results.following.failed.connect(self._dialogs.show_error)
+        self.runner.stopped.connect(
+            lambda title: window.note(gettext("{task}: cancelled", task=title))
+        )
+        window.show_busy(False)
+        return window
+
+    # -- files -------------------------------------------------------------------------------
+
+    def new(self) -> None:
+        """Begin with the thesis's plan."""
+        if self._may_lose():
+            self._path = None
+            self.workspace.start(edits.usual())
+
+    def open_plan(self) -> None:
+        """Open a plan from its file."""
+        if not self._may_lose():
+            return
+        path = self._dialogs.design_file("open", self._start)
+        if path is None:
+            return
+        try:
+            titled = read_plan(path)
+        except LispacError as error:
+            self._dialogs.show_error(error)
+            return
+        self._path = path
+        self.workspace.start(titled)
+
+    def save(self) -> bool:
+        """Save the plan, where it was opened or last saved; whether it was."""
+        return self.save_as() if self._path is None else self._write(self._path)
+
+    def save_as(self) -> bool:
+        """Save the plan in a file that is asked for."""
+        path = self._dialogs.design_file("save", self._start / "plan.toml")
+        return path is not None and self._write(path)
+
+    def _write(self, path: Path) -> bool:
+        try:
+            self._whole()
+            write_plan(path, self.workspace.history.now)  # not what a drag may still give up
+        except (LispacError, OSError) as error:
+            self._dialogs.show_error(error)
+            return False
+        self._path = path
+        self.workspace.history.keep()
+        self.workspace.changed.emit()
+        self._note(gettext("Saved {file}", file=str(path)))
+        return True
+
+    def write_page(self) -> None:
+        """Write the field plan."""
+        path = self._dialogs.design_file("page", self._start / "field-plan.pdf")
+        if path is None:
+            return
+        try:
+            self._whole()
+        except LispacError as error:
+            self._dialogs.show_error(error)
+            return
+        titled = self.workspace.titled
+        self.paper.run(
+            gettext("Writing the field plan"),
+            lambda _progress: write_field_plan(path, titled),
+            lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), lasting=True,
+        )  # fmt: skip
+
+    def read_site(self) -> None:
+        """Take the limits of a site from its file."""
+        assert self.window is not None
+        path = self._dialogs.design_file("site", self._start)
+        if path is None:
+            return
+        try:
+            self.window.search.limits.use_file(*read_site(path))
+        except LispacError as error:
+            self._dialogs.show_error(error)
+
+    @property
+    def _start(self) -> Path:
+        return home_folder() if self._path is None else self._path.parent
+
+    def _whole(self) -> None:
+        plan = self.workspace.titled.plan
+        if not plan.targets or not plan.lines:
+            raise LispacError(error("window.plan_incomplete"))
+
+    def _note(self, text: str) -> None:
+        if self.window is not None:
+            self.window.note(text)
+
+    # -- long work ---------------------------------------------------------------------------
+
+    def scenarios(self) -> None:
+        """Change one thing at a time, in the background."""
+        assert self.window is not None
+        plan, window = self.workspace.titled.plan, self.window
+        try:
+            self._whole()
+        except LispacError as error:
+            self._note(str(error))
+            return
+
+        def work(progress: Progress) -> tuple[Outcome, ...]:
+            preload()
+            return all_scenarios(plan, progress)
+
+        def done(found: tuple[Outcome, ...]) -> None:
+            window.pictures.show_outcomes(found)
+            window.show_pictures()
+
+        self.runner.run(gettext("Scenarios"), work, done)
+
+    def search(self) -> None:
+        """Find the best plan in the background; it is one undo step."""
+        assert self.window is not None
+        panel, window = self.window.search, self.window
+        before = self.workspace.titled
+        try:
+            title, site = panel.limits.site(before)
+        except LispacError as error:
+            self._dialogs.show_error(error)
+            return
+        objective, plans = panel.objective, round(panel.plans.value())
+
+        def work(progress: Progress) -> Design:
+            preload()
+            return best_plan(site, objective, plans, before.plan, progress)
+
+        def done(found: Design) -> None:
+            best = TitledPlan(title, found.plan, site.wall)
+            self.workspace.edit(gettext_lazy("Best plan"), best)
+            value = float(np.degrees(found.value))
+            panel.show_found(SearchResult(value, objective, found.looked_at, found.exact))
+            window.pictures.show_front(found.front, CRITERIA[objective.criterion])
+
+        panel.show_found(None)
+        self.runner.run(gettext("Searching for the best plan"), work, done)
+
+    def surveys(self) -> None:
+        """Simulate and adjust many surveys of the plan, in the background."""
+        assert self.window is not None
+        titled, window, asked = self.workspace.titled, self.window, self.window.surveys.wanted
+        try:
+            self._whole()
+        except LispacError as error:
+            self._note(str(error))
+            return
+
+        def work(progress: Progress) -> Scatter:
+            preload()
+            return simulated_surveys(titled.plan, asked, progress)
+
+        def done(found: Scatter) -> None:
+            head = headline(titled.title, found, asked.surveys)
+            window.surveys.answer.show_result(head, found, titled.plan)
+            window.surveys.answer.follow(self.workspace.titled.plan)
+            window.pictures.show_errors(found)
+            window.show_pictures()
+
+        # Cancelled, it still has an answer where enough surveys were finished.
+        self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
+
+    def compare(self) -> None:
+        """Hold the survey of the main window against this plan."""
+        assert self.window is not None
+        project, survey = self._main.document.project, self._main.document.survey
+        titled, window = self.workspace.titled, self.window
+        try:
+            self._whole()
+            if project is None:
+                raise ProjectError(error("window.no_project_to_compare"))
+        except LispacError as failure:
+            self._dialogs.show_error(failure)
+            return
+
+        def work(progress: Progress) -> Replay:
+            loaded = load_survey(project, progress=progress) if survey is None else survey
+            return replay(project, loaded, titled)
+
+        self.runner.run(
+            gettext("Comparing with the survey"), work,
+            lambda found: window.show_compared(found, project.name, titled),
+        )  # fmt: skip
+
+    # -- the end -----------------------------------------------------------------------------
+
+    @property
+    def runners(self) -> tuple[TaskRunner, TaskRunner]:
+        """What works for this window."""
+        return self.runner, self.paper
+
+    def _may_lose(self) -> bool:
+        """Whether the plan may go: it is saved, or the user says so."""
+        if not self.workspace.history.changed:
+            return True
+        answer = self._dialogs.save_changes(self.workspace.titled.title)
+        return self.save() if answer == "save" else answer == "discard"
+
+    def leave(self) -> bool:
+        """End with the program; whether it may."""
+        if not self._may_lose():
+            return False
+        self.end()
+        return True
+
+    def end(self) -> None:
+        """Let window and work go without asking; harmless when repeated."""
+        if self.window is not None:
+            self.window.hide()
+        self.runner.close()
+        self.paper.close()
+        if self.window is not None:
+            self.window.release()

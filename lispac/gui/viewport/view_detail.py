@@ -1,0 +1,70 @@
+"""The detail of a view that rests: sought in several turns of the event loop, or at once."""
+
+import time
+from collections.abc import Callable, Iterator
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.idle_tasks import IdleTask
+
+REST_MS = 180
+"""Stillness after which the detail is drawn."""
+
+STEP_S = 0.04
+"""Longer than this, it is not sought without keys and the mouse being heard."""
+
+
+class ViewDetail:
+    """Seeks the detail in steps, and then has it shown.
+
+    Parameters
+    ----------
+    steps : makes an iterator that seeks it, a little at each step
+    show : shows what was sought
+    """
+
+    def __init__(
+        self, parent: QObject, steps: Callable[[], Iterator[None]], show: Callable[[], None]
+    ) -> None:
+        self._make, self._show = steps, show
+        self._steps: Iterator[None] = iter(())
+        self._rest = IdleTask(self._begin, parent, REST_MS)
+        self._step = IdleTask(self._go_on, parent)
+
+    @property
+    def is_due(self) -> bool:
+        """Whether it follows."""
+        return self._rest.isActive() or self._step.isActive()
+
+    def later(self) -> None:
+        """Seek it once the view has rested for a moment."""
+        self._step.stop()
+        self._rest.start()
+
+    def now(self, steps: Iterator[None]) -> None:
+        """Show it at once, sought by other steps than the usual."""
+        self.stop()
+        for _ in steps:
+            pass
+        self._show()
+
+    def abandon(self) -> None:
+        """Seek no further what was begun: the view has moved."""
+        self._step.stop()
+
+    def stop(self) -> None:
+        """Neither begin nor go on."""
+        self._rest.stop()
+        self._step.stop()
+
+    def _begin(self) -> None:
+        self._steps = self._make()
+        self._go_on()
+
+    def _go_on(self) -> None:
+        end = time.perf_counter() + STEP_S
+        for _ in self._steps:
+            if time.perf_counter() > end:
+                self._step.start()
+                return
+        self._show()

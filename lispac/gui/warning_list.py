@@ -1,0 +1,230 @@
+"""List of warnings: collected after every change, shown, and followed to their causes.
+
+They are collected in a thread of their own, so that the list is up to date also while an adjustment
+runs.
+"""
+
+from collections.abc import Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QScrollArea, QWidget
+
+from lispac.causes import Cause
+from lispac.gui.docks import raise_panel
+from lispac.gui.panels.fields import Fold
+from lispac.gui.status import ADJUST, DATA, STEPS, TARGETS
+from lispac.messages import Message
+from lispac.targets.quality import SightingQuality
+from lispac.workflow.warnings import warnings_of
+
+if TYPE_CHECKING:
+    from lispac.gui.main_window import MainWindow
+
+REST_MS = 60
+"""Several changes in a row make one list."""
+
+Gathered = tuple[int, tuple[Message, ...]]
+
+
+class WarningList(QObject):
+    """Collects the warnings of the project and opens the cause of one that is clicked."""
+
+    selected = Signal(str, str)
+    """Target and line (or "") to select."""
+    shown = Signal()
+    """The list is up to date."""
+    _gathered = Signal(object)
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._window, self._document = window, window.document
+        self._panel, self._button = window.warnings, window.task_bar.warnings
+        self._worker = ThreadPoolExecutor(1, "lispac-warnings")
+        self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
+        self._asked = self._told = 0
+        self._had_result = False
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST_MS)
+        self._rest.timeout.connect(self._gather)
+        self._gathered.connect(self._show)
+        window.document.opened.connect(self._forget)
+        window.document.changed.connect(self._watch)
+        window.target_work.judging.judged.connect(self._judged)
+        window.safekeeping.troubled.connect(self._watch)
+        window.actions_["warnings"].triggered.connect(lambda _=False: self.open())
+        self._button.clicked.connect(self.open)
+        self._panel.followed.connect(self.follow)
+        self._watch()
+
+    @property
+    def is_current(self) -> bool:
+        """Whether the list is up to date."""
+        return self._asked == self._told and not self._rest.isActive()
+
+    def open(self) -> None:
+        """Bring the list to the front, and the keyboard into it."""
+        raise_panel(self._panel)
+        self._panel.take_focus()
+
+    def stop(self) -> None:
+        """Let the worker end."""
+        self._rest.stop()
+        self._asked += 1
+        self._worker.shutdown(wait=True)
+
+    # -- gathering -------------------------------------------------------------------------------
+
+    def _judged(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+        self._qualities = qualities
+        self._watch()
+
+    def _forget(self) -> None:
+        """Another project has no result yet that an edit could make out of date."""
+        self._had_result = False
+
+    def _watch(self) -> None:
+        if self._document.project is None:
+            self._rest.stop()
+            self._asked += 1
+            self._told = self._asked
+            self._panel.show_nothing()
+            self._button.show_warnings(None)
+            return
+        self._had_result |= self._document.project.result is not None
+        if self._document.awaits_result:
+            self._panel.show_waiting()  # those from before stay until the result is there
+        else:
+            self._rest.start()
+
+    def _gather(self) -> None:
+        document = self._document
+        project, refusal = document.project, document.refusal
+        refused_since = document.refused_since
+        survey = document.survey if document.survey_is_current else None
+        qualities, storage = self._qualities, self._window.safekeeping.trouble
+        stale = self._had_result
+        if project is None or document.awaits_result:
+            return
+        self._asked += 1
+        asked = self._asked
+
+        def work() -> Gathered:
+            if asked != self._asked:
+                return asked, ()  # there was another change meanwhile
+            found = warnings_of(
+                project, survey, qualities, refusal=refusal, refused_since=refused_since,
+                stale=stale, storage=storage,
+            )  # fmt: skip
+            return asked, found
+
+        self._worker.submit(work).add_done_callback(self._done)
+
+    def _done(self, future: "Future[Gathered]") -> None:
+        """In the worker."""
+        if (error := future.exception()) is not None:
+            self._window.runner.failed.emit(error)
+        else:
+            self._gathered.emit(future.result())
+
+    def _show(self, gathered: Gathered) -> None:
+        asked, found = gathered
+        if asked == self._asked:
+            self._told = asked
+            self._panel.show_warnings(found)
+            self._button.show_warnings(found)
+            self.shown.emit()
+
+    # -- following -------------------------------------------------------------------------------
+
+    def follow(self, cause: Cause) -> None:
+        """Go to the cause of a warning: open, select, show, and give it the keyboard."""
+        go = {
+            "line": self._to_line,
+            "target": self._to_sighting,
+            "sighting": self._to_sighting,
+            "parameter": self._to_parameter,
+            "field": self._to_field,
+            "page": self._to_page,
+            "step": self._to_step,
+            "result": self._to_result,
+        }
+        go[cause.kind](cause)
+
+    def _to_line(self, cause: Cause) -> None:
+        data, scene = self._window.data, self._window.scene
+        self._open_step(DATA)
+        if data.select_line(cause.name):
+            _focus(data.lines)
+        cloud = scene.clouds.get(cause.name)
+        if cloud is not None:
+            scene.gone_to.emit(cloud.sample[::50], cause.name)
+            self._window.viewport.fit(cloud.sample)
+
+    def _to_sighting(self, cause: Cause) -> None:
+        project = self._document.project
+        if project is None or cause.name not in {target.name for target in project.targets}:
+            return
+        window = self._window
+        self.selected.emit(cause.name, cause.line)
+        if cause.kind == "target":
+            self._open_step(TARGETS)
+            _focus(window.targets.table)
+        else:
+            raise_panel(window.table)
+            window.table.go_to(cause.name, cause.line)
+            _focus(window.table)
+
+    def _to_parameter(self, cause: Cause) -> None:
+        switch = self._window.adjust.parameters.switches.get(cause.name)
+        if switch is None:
+            self._to_result(cause)
+        else:
+            self._open_step(ADJUST)
+            _focus(switch)
+
+    def _to_field(self, cause: Cause) -> None:
+        data, adjust = self._window.data, self._window.adjust
+        longest = max(data.lever_arm.fields, key=lambda field: abs(field.value()))
+        step, field = {
+            "lever_arm": (DATA, longest),
+            "boresight_deg": (DATA, data.boresight.fields[0]),
+            "pos_errors": (ADJUST, adjust.chosen_model),
+            "surface": (ADJUST, adjust.model.surface),
+            "position_time": (ADJUST, adjust.model.position_time),
+        }[cause.name]
+        self._open_step(step)
+        _focus(field)
+
+    def _to_page(self, cause: Cause) -> None:
+        diagnostics = self._window.diagnostics
+        raise_panel(diagnostics)
+        diagnostics.open(cause.name)
+        _focus(diagnostics.list)
+
+    def _to_step(self, cause: Cause) -> None:
+        self._window.workflow.go_to(STEPS.index(cause.name))
+
+    def _to_result(self, _cause: Cause) -> None:
+        raise_panel(self._window.results)
+        _focus(self._window.results.angles)
+
+    def _open_step(self, step: int) -> None:
+        raise_panel(self._window.workflow)
+        self._window.workflow.open(step)
+
+
+def _focus(widget: QWidget) -> None:
+    """Give a widget the keyboard: unfold what it is in, and scroll to it."""
+    above, areas = widget.parentWidget(), []
+    while above is not None:
+        if isinstance(above, Fold):
+            above.open()
+        if isinstance(above, QScrollArea):
+            areas.append(above)
+        above = above.parentWidget()
+    widget.setFocus(Qt.FocusReason.OtherFocusReason)
+    for area in areas:
+        area.ensureWidgetVisible(widget)

@@ -1,0 +1,231 @@
+"""Warnings on the first page of a report, before the figures.
+
+Warnings about the result are those of the window and the command line. The rules here use the
+content only. There is one function for each rule.
+"""
+
+from collections.abc import Iterator, Sequence
+
+from lispac.adjustment.message_parts import change, quantities, quantity
+from lispac.adjustment.shown import STATED
+from lispac.causes import RESULT, Cause
+from lispac.messages import Message, Value, by_level, note, warning
+from lispac.report.absolute_warnings import absolute_cautions
+from lispac.report.values import (
+    Chi2,
+    ExtraParameter,
+    PickedPlane,
+    ReportContent,
+    SightingJudged,
+)
+
+DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Validate"))
+
+LARGER_RESIDUALS = {
+    "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
+}  # fmt: skip
+"""Codes of larger residuals; with one of them, a small chi-square is not reported."""
+
+
+def cautions_of(content: ReportContent, doubts: Sequence[Message]) -> tuple[Message, ...]:
+    """All warnings, then notes: about the result, and those of the report only.
+
+    Parameters
+    ----------
+    doubts : about the result, as the window and the command line show them
+    """
+    larger = any(each.code in LARGER_RESIDUALS for each in doubts)
+    return by_level(
+        [
+            *_calibration(content),
+            *(each for each in _fit(content) if not (larger and each.code == CHI_SQUARE_LOW)),
+            *doubts,
+            *_parameters(content),
+            *_targets(content),
+            *_sightings(content),
+            *_validation(content),
+            *absolute_cautions(content.absolute),
+            *_methods(content),
+            *_files(content),
+        ]
+    )
+
+
+def _calibration(content: ReportContent) -> Iterator[Message]:
+    if not content.calibrated:
+        yield warning("report.not_calibrated", subject=ADJUST)
+    if content.simulated:
+        yield note("report.simulated", subject=RESULT)
+    outside = [
+        angle.name
+        for angle in content.angles
+        if angle.error_deg is not None
+        and angle.interval95_deg is not None
+        and abs(angle.error_deg) > angle.interval95_deg
+    ]
+    if outside:
+        yield note("report.truth_outside", angles=quantities(outside), subject=RESULT)
+
+
+def _fit(content: ReportContent) -> Iterator[Message]:
+    if content.adjustment is None:
+        return
+    independent = content.settings.pos_errors == "independent"
+    noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
+    yield from _chi_square(content.adjustment.chi_square, independent, noisy)
+
+
+def _parameters(content: ReportContent) -> Iterator[Message]:
+    for found in content.adjustment.parameters if content.adjustment else ():
+        yield from _parameter(found)
+
+
+def _parameter(found: ExtraParameter) -> Iterator[Message]:
+    name, field = quantity(found.name), Cause.of_parameter(found.name)
+    if found.value is None:
+        yield note(
+            "report.parameter_not_seen"
+            if found.prior_sigma is None
+            else "report.parameter_not_seen_uncertain",
+            parameter=name, reason=found.reason, subject=field,
+        )  # fmt: skip
+    elif found.significant is False:
+        factor, _ = STATED[found.name]
+        yield note(
+            "report.parameter_not_significant",
+            parameter=name,
+            change=change(found.name, (found.value - found.prior) / factor),
+            subject=field,
+        )
+
+
+CHI_SQUARE_LOW = "report.chi_square_low"
+
+
+def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Message]:
+    if test.passed is None:
+        yield warning("report.no_redundancy", subject=RESULT)
+    elif test.passed:
+        return
+    elif test.upper is None or test.statistic <= test.upper:
+        yield note(CHI_SQUARE_LOW, subject=RESULT)
+    elif independent:
+        yield warning("report.chi_square_high_classical", subject=RESULT)
+    elif noisy:
+        yield note("report.chi_square_high_noise", subject=RESULT)
+    else:
+        yield note("report.chi_square_high", subject=RESULT)
+
+
+def _targets(content: ReportContent) -> Iterator[Message]:
+    total = len(content.lines)
+    for plane in content.planes:
+        yield from (_target if plane.role == "target" else _plane)(plane, total)
+    yield from _not_found(content)
+
+
+def _target(target: PickedPlane, total: int) -> Iterator[Message]:
+    where, seen = Cause.of_target(target.name), len(target.lines)
+    if not target.used:
+        yield note("report.left_out_target", target=target.name, subject=where)
+        return
+    if seen == 0:
+        yield warning("report.target_on_no_line", target=target.name, total=total, subject=where)
+    elif 1 < seen < total / 2:  # those on a single line are named in a warning of the project
+        yield note(
+            "report.target_on_few_lines",
+            target=target.name, count=seen, total=total, lines=target.lines, subject=where,
+        )  # fmt: skip
+    if target.left_out:
+        yield note(
+            "report.left_out_target_on_lines",
+            target=target.name, lines=target.left_out, subject=where,
+        )  # fmt: skip
+
+
+def _plane(plane: PickedPlane, total: int) -> Iterator[Message]:
+    where, seen = Cause.of_target(plane.name), len(plane.lines)
+    if not plane.used:
+        yield note("report.left_out_plane", target=plane.name, subject=where)
+        return
+    if seen == 0:
+        yield warning("report.plane_on_no_line", target=plane.name, total=total, subject=where)
+    elif seen == 1:
+        yield warning(
+            "report.plane_on_one_line",
+            target=plane.name, total=total, line=plane.lines[0], subject=where,
+        )  # fmt: skip
+    elif seen < total / 2:
+        yield note(
+            "report.plane_on_few_lines",
+            target=plane.name, count=seen, total=total, lines=plane.lines, subject=where,
+        )  # fmt: skip
+    if plane.left_out:
+        yield note(
+            "report.left_out_plane_on_lines",
+            target=plane.name, lines=plane.left_out, subject=where,
+        )  # fmt: skip
+
+
+def _not_found(content: ReportContent) -> Iterator[Message]:
+    """One message for all planes that are missing on the same lines."""
+    together: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    for plane in content.planes:
+        if plane.used and plane.missing:
+            together.setdefault((plane.role, tuple(plane.missing)), []).append(plane.name)
+    for (role, lines), names in together.items():
+        yield note(
+            "report.not_found_target" if role == "target" else "report.not_found_plane",
+            count=len(names), names=names, lines=lines, subject=Cause.of_target(names[0]),
+        )  # fmt: skip
+
+
+def _sightings(content: ReportContent) -> Iterator[Message]:
+    """Number of used sightings that are not good, and the worst; targets come first."""
+    target = {plane.name: plane.role == "target" for plane in content.planes}
+    used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
+    judged = [each for each in content.qualities if (each.target, each.line) in used]
+    poor, doubtful = (
+        [each for each in judged if each.light == light] for light in ("poor", "doubtful")
+    )
+    if not poor and not doubtful:
+        return
+
+    def bad(each: SightingJudged) -> tuple[bool, bool, int, float]:
+        is_poor, oblique = each.light == "poor", each.incidence_deg or 0.0
+        return is_poor, target[each.target], len(each.reasons), oblique
+
+    worst = max((*poor, *doubtful), key=bad)
+    yield note(
+        "report.sightings",
+        total=len(judged), poor=len(poor), doubtful=len(doubtful), target=worst.target,
+        line=worst.line, reasons=worst.reasons,
+        subject=Cause.of_sighting(worst.target, worst.line),
+    )  # fmt: skip
+
+
+def _validation(content: ReportContent) -> Iterator[Message]:
+    if content.calibrated and not content.validation:
+        yield note("report.not_validated", subject=VALIDATE)
+    for reason in content.not_compared:
+        yield note("report.not_compared", reason=reason, subject=VALIDATE)
+    for plane in content.validation:
+        if plane.after.rms_m > plane.before.rms_m:
+            yield warning(
+                "report.validation_worse",
+                target=plane.name, after=plane.after.rms_m, before=plane.before.rms_m,
+                subject=Cause.of_target(plane.name),
+            )  # fmt: skip
+
+
+def _methods(content: ReportContent) -> Iterator[Message]:
+    """Methods that differ; the first sentences are on each method except the first."""
+    for each, words in zip(content.methods[1:], content.methods_in_words, strict=False):
+        if each.differ:
+            yield note("report.methods_differ", reason=words, subject=ADJUST)
+
+
+def _files(content: ReportContent) -> Iterator[Message]:
+    lost: Value = [file.name for file in content.files if file.sha256 is None]
+    if lost:
+        yield warning("report.file_missing", files=lost, subject=DATA)

@@ -1,0 +1,258 @@
+"""Reading the files of a survey in their formats, and checking a file before it is used."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.io.files import message_about, require_file
+from lispac.io.formats import format_of, is_las, recognised
+from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
+from lispac.io.points import CHOOSE_FRAME, NO_SYSTEM, SCANNER, require_filled, system_of
+from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
+from lispac.io.sbet import read_sbet, read_smrmsg
+from lispac.io.static_scan import without_time
+from lispac.messages import Message, error, note, warning
+from lispac.project import LineSource, Project, Reading
+from lispac.survey.source import printable
+from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
+
+FARTHEST_ORIGIN = 100_000.0
+"""Metres; beyond, a plane tangent at the origin is no frame for the site."""
+WORDS: Mapping[Kind, str] = {
+    "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
+}  # fmt: skip
+_NOT_OF_KIND: Mapping[Kind, str] = {
+    "trajectory": "import.not_trajectory_format",
+    "accuracy": "import.not_accuracy_format",
+    "points": "import.not_line_format",
+}
+_UNKNOWN_OF_KIND: Mapping[Kind, str] = {
+    "trajectory": "import.unknown_trajectory_format",
+    "accuracy": "import.unknown_accuracy_format",
+    "points": "import.unknown_line_format",
+}
+
+
+@dataclass(frozen=True)
+class FileCheck:
+    """What a file seems to be.
+
+    Attributes
+    ----------
+    format : Format
+    sureness : float, 0 to 1
+    finding : Finding or None
+    error : Message or None
+        Why it cannot be read, where there is no finding.
+    """
+
+    format: Format
+    sureness: float
+    finding: Finding | None
+    error: Message | None = None
+
+
+def looks(
+    path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")
+) -> list[FileCheck]:
+    """Look into a file as each format that it may be, the surest first.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing or empty, no format knows it, or it is a cloud without time.
+    """
+    path = require_filled(Path(path), "survey")
+    found = [(format, sure) for kind in kinds for format, sure in recognised(path, kind)]
+    if without_time(path, or_text=not found):
+        raise InputError(error("import.points_without_time", file=str(path)))
+    if not found:
+        raise InputError(error("import.unknown_format", file=str(path)))
+    found.sort(key=lambda pair: -pair[1])
+    surest = found[0][1]
+    return [_look(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)]
+
+
+def _look(path: Path, format: Format, sure: float) -> FileCheck:
+    try:
+        return FileCheck(format, sure, format.look(path, {}))
+    except InputError as refused:
+        return FileCheck(format, sure, None, message_about(refused, path))
+
+
+def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
+    """Look into a file with the options that the user gives.
+
+    There is no warning about a missing coordinate system where one is given, and a warning where
+    the one given is not used.
+
+    Raises
+    ------
+    InputError
+        As the format's own look.
+    """
+    finding = format.look(path, stated)
+    crs = str(stated.get("crs", ""))
+    if format.kind != "points" or not crs:
+        return finding
+    if {**finding.choice, **stated}.get("frame", SCANNER) != SCANNER:
+        kept = tuple(each for each in finding.doubts if each.code != NO_SYSTEM)
+        return replace(finding, doubts=kept)
+    unused = warning(
+        "points.unused_system", file=printable(path.name), system=crs, actions=(CHOOSE_FRAME,)
+    )
+    return replace(finding, doubts=(*finding.doubts, unused))
+
+
+def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
+    """Settle how a file is read: what was given, the rest as found in it.
+
+    Returns
+    -------
+    reading : Reading
+    messages : tuple of Message
+        Warnings, and a note on the options that were detected.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, its format not known, or an option is none of it.
+    """
+    path = require_file(Path(path), WORDS[kind])
+    if given.format:
+        format = format_of(given.format)
+        if format.kind != kind:
+            raise InputError(error(_NOT_OF_KIND[kind], file=str(path), format=format.name))
+    else:
+        found = recognised(path, kind)
+        if not found:
+            raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
+        format = found[0][0]
+    stated = dict(given.options)
+    finding = looked_at(path, format, stated)
+    choice = format.settled({**finding.choice, **stated})
+    messages = list(finding.doubts)
+    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in stated]
+    if detected:
+        file = printable(path.name)
+        messages.append(note(READ_AS, file=file, format=format.name, options=detected))
+    options = tuple((name, str(value)) for name, value in choice.items() if value != "")
+    return replace(given, format=format.key, options=options), tuple(messages)
+
+
+READ_AS = "import.read_as"
+"""Code of the note on the options that were detected."""
+
+
+def usual_or_settled(
+    path: Path, kind: Kind, given: Reading, *, columns: bool = False
+) -> tuple[Reading, tuple[Message, ...]]:
+    """As `settled`, but the program's own way where the file agrees with it.
+
+    Parameters
+    ----------
+    columns : bool
+        Whether the columns of a text file are named.
+
+    Raises
+    ------
+    InputError
+    """
+    if columns and not given.format and not given.options:
+        found = recognised(path, kind)
+        if not found or found[0][0].key == "text":
+            return given, ()
+    if not given.format and not given.options and not recognised(path, kind):
+        return given, ()  # the usual reader says best what is wrong with a damaged file
+    reading, messages = settled(path, kind, given)
+    usual = USUAL[kind]
+    own = reading.format == usual and not given.format and not given.options
+    if own and _agrees(reading, usual):
+        kept = tuple(each for each in messages if each.code != READ_AS)
+        return replace(reading, format="", options=()), kept
+    return reading, messages
+
+
+USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
+"""Formats that the program reads in a way of its own where nothing else is settled."""
+
+BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
+"""Options that change nothing of how points in the LiDAR frame, or poses, are read: what follows
+from time bases is a shift of the line's times (`stated_times`)."""
+
+
+def _agrees(reading: Reading, key: str) -> bool:
+    usual = {name: value for name, value in format_of(key).settled({}).items() if value != ""}
+    found = dict(reading.options)
+    return {k: v for k, v in found.items() if k not in BESIDE} == {
+        k: v for k, v in usual.items() if k not in BESIDE
+    }
+
+
+def read_trajectory(path: Path, reading: Reading) -> Trajectory:
+    """Read a trajectory; SBET in Applanix's convention where nothing else was settled.
+
+    Raises
+    ------
+    InputError
+    """
+    if not reading.format:
+        return read_sbet(path).with_positions_only()
+    found = format_of(reading.format).read(Path(path), dict(reading.options))
+    assert isinstance(found, Trajectory)
+    return found.with_positions_only()
+
+
+def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, ...]]:
+    """The trajectory of a project in its local frame, and the assumptions of its reading.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, or the local frame's origin is far from it.
+    """
+    raw = read_trajectory(project.trajectory, project.trajectory_reading)
+    frame = raw.mean_frame()
+    if project.settings.origin_deg_m is not None:
+        latitude, longitude, height = project.settings.origin_deg_m
+        frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+    trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
+    distance = float(np.linalg.norm(trajectory.position[0]))
+    if distance > FARTHEST_ORIGIN:
+        raise InputError(error("import.origin_too_far", project=project.name, distance=distance))
+    return trajectory, raw.assumptions
+
+
+def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
+    """Read a trajectory's accuracies; smrmsg where nothing else was settled.
+
+    Raises
+    ------
+    InputError
+    """
+    if not reading.format:
+        return read_smrmsg(path)
+    found = format_of(reading.format).read(Path(path), dict(reading.options))
+    assert isinstance(found, TrajectoryAccuracy)
+    return found
+
+
+def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[Message, ...]]:
+    """How a line is read in chunks, with what options, and what that takes for granted."""
+    if line.reading.format:
+        format = format_of(line.reading.format)
+        choice: Choice = format.settled(dict(line.reading.options))
+        assumed: tuple[Message, ...] = (
+            note("assumed.format", file=printable(line.path.name), format=format.name),
+        )
+        if system_of(choice, line.path) is None:
+            assumed += (note("assumed.scanner_frame"),)
+        return format, choice, assumed
+    if is_las(line.path):
+        return format_of("las"), {}, LAS_ASSUMPTIONS
+    options = {"columns": " ".join(line.columns)}
+    return format_of("text"), options, (note("assumed.metres_in_scanner_frame"),)

@@ -1,0 +1,53 @@
+"""What of a proposal goes into a project."""
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from lispac.doubles import overlap_with
+from lispac.messages import Message
+from lispac.project import Project, Target
+from lispac.workflow.picking import next_name
+from lispac.workflow.proposals import Proposal
+
+
+def not_picked(project: Project, proposal: Proposal) -> Proposal:
+    """The proposal without the surfaces that the project has already, under free names."""
+    targets: list[Target] = []
+    reasons: dict[str, Message] = {}
+    picked: list[str] = []
+    numbered = project
+    for target in proposal.targets:
+        own = _picked_as(target, project)
+        if own is not None:
+            picked += [own] if target.role == "target" else []
+            continue
+        name = next_name(numbered, target.role)
+        targets.append(replace(target, name=name))
+        reasons[name] = proposal.reasons[target.name]
+        numbered = numbered.with_target(targets[-1])
+    return replace(proposal, targets=tuple(targets), reasons=reasons, picked=tuple(picked))
+
+
+def with_accepted(
+    project: Project, proposal: Proposal, names: Collection[str]
+) -> tuple[Project, tuple[str, ...]]:
+    """The project with the proposed targets of these names, and the names they have there.
+
+    A name that is taken gives way to the next free one.
+    """
+    given = []
+    for target in proposal.targets:
+        if target.name not in names:
+            continue
+        taken = any(picked.name == target.name for picked in project.targets)
+        name = next_name(project, target.role) if taken else target.name
+        project = project.with_target(replace(target, name=name))
+        given.append(name)
+    return project, tuple(given)
+
+
+def _picked_as(target: Target, project: Project) -> str | None:
+    """The target of the project that is the same surface, if there is one."""
+    # What is proposed may have the name of another one that was picked.
+    found = overlap_with(replace(target, name=""), project.targets)
+    return found.other if found is not None and found.is_same else None

@@ -1,0 +1,420 @@
+"""Targets and validation planes proposed without a click: the user accepts, edits or rejects."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.blas import one_thread
+from lispac.adjustment.message_parts import quantity
+from lispac.adjustment.observability import one_facing
+from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.warnings import doubts
+from lispac.causes import RESULT
+from lispac.errors import TargetNotFound
+from lispac.geometry.planes import fit_plane
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note, warning
+from lispac.progress import Progress, no_progress, part
+from lispac.project import PickedSighting, Project, Role, Target, Triple
+from lispac.survey.cloud import Cloud, placed_with
+from lispac.targets.detection import DetectedPlane, Found, detect_planes
+from lispac.targets.finder import FinderSettings
+from lispac.targets.hidden import ends_within
+from lispac.targets.quality import SightingQuality
+from lispac.targets.smear import ROUGHLY_OFF
+from lispac.validation.comparison import reciprocal
+from lispac.workflow.calibration import estimate, observations_of
+from lispac.workflow.qualities import qualities
+from lispac.workflow.survey import Survey
+from lispac.workflow.target_choice import (
+    LEAST_TARGETS,
+    LEAST_VALIDATION,
+    Planes,
+    chosen_targets,
+)
+from lispac.workflow.target_search import MET_SHIFT, planes_in_lines
+
+Array = NDArray[np.float64]
+
+LARGE = 2.0
+"""Square metres from which a plane is large enough for validation, where there are others."""
+MOSTLY = 0.5
+"""Share of its sightings: a plane whose flatness is poor on so many is proposed for nothing. An RMS
+of more than three times the LiDAR noise is poor, and so are ripples and bends. One that is poor or
+whose flatness is doubtful on so many is proposed for validation at most, where there are too few
+others."""
+SHARED = 0.01
+"""Share of the points of a plane from which it overlaps another one."""
+UNCHECKED = {
+    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
+}  # fmt: skip
+"""Codes of warnings that targets do not check each other."""
+
+
+@dataclass(frozen=True, eq=False)
+class Proposal:
+    """What could be used, and why.
+
+    Attributes
+    ----------
+    targets : tuple of Target
+        Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
+    reasons : dict of name to Message
+    sigma : ndarray of shape (3,), radians
+        Of roll, pitch, yaw, from an adjustment of the proposed targets.
+    picked : tuple of str
+        Targets of the project that would have been proposed.
+    warnings : tuple of Message
+        Those of that adjustment, without notes.
+    """
+
+    targets: tuple[Target, ...]
+    reasons: dict[str, Message]
+    sigma: Array
+    picked: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
+
+
+def propose(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Proposal:
+    """Propose targets and validation planes; the project stays as it is.
+
+    Of the flat planes those are targets that determine the angles best and check each other (see
+    `lispac.workflow.target_choice`). They are adjusted; planes that are not flat with the estimated
+    boresight, or of which the adjustment rejects a sighting, are replaced. The others that two
+    opposite lines have seen are for validation, spread in height and range.
+
+    Raises
+    ------
+    TargetNotFound
+        Fewer than two planes on two lines or more.
+    AdjustmentError
+        The planes do not determine the boresight.
+    """
+    threshold = project.settings.threshold
+    progress(0.0, gettext_lazy("Aligning the lines"))
+    aligned = survey.aligned
+    settings = FinderSettings(threshold=threshold)
+    if aligned.nearly_meets:
+        settings = replace(settings, max_shift=MET_SHIFT)
+
+    def find(seed: Array, line: str, step: Progress) -> Found:
+        return planes_in_lines(
+            aligned.clouds, seed, settings,
+            first_line=line, accuracy=aligned.accuracy, progress=step,
+        )  # fmt: skip
+
+    detected = detect_planes(
+        {name: cloud.sample for name, cloud in aligned.clouds.items()},
+        settings,
+        lines=aligned.clouds,
+        find=find,
+        progress=part(progress, 0.1, 0.85),
+    )
+    progress(0.85, gettext_lazy("Fitting the planes"))
+    named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
+    targets = tuple(
+        _target(survey, plane, name, "target", threshold) for name, plane in named.items()
+    )
+    judged = _judged(replace(project, targets=targets, result=None), survey)
+    flat = [target for target in targets if judged[target.name].use == "any"]
+    if len(flat) < 2:
+        raise TargetNotFound(_too_few(project, len(flat), list(judged.values())))
+    progress(0.9, gettext_lazy("Selecting the targets"))
+    chosen, result, planes = _chosen(project, survey, flat, named, judged)
+    left = [name for name in named if judged[name].use == "any" and name not in chosen]
+    spare = [name for name in named if judged[name].use == "at need"]
+    apart = [
+        name
+        for name in [*left, *spare[: max(LEAST_VALIDATION - len(left), 0)]]
+        if not any(_overlap(named[name], named[other]) for other in chosen)
+    ]
+    proposed: list[Target] = []
+    reasons: dict[str, Message] = {}
+    for number, name in enumerate(chosen, start=1):
+        proposed.append(_target(survey, named[name], f"T{number}", "target", threshold))
+        reasons[f"T{number}"] = _reason(planes, chosen, name, len(named[name].found), result)
+    for number, plane in enumerate(_validation([named[name] for name in apart], survey), start=1):
+        name = next(name for name in apart if named[name] is plane)
+        proposed.append(_target(survey, plane, f"V{number}", "validation", threshold))
+        reasons[f"V{number}"] = _reason_of_plane(plane, survey, judged[name])
+    progress(1.0)
+    return Proposal(tuple(proposed), reasons, result.sigma, (), _warnings(result))
+
+
+def _chosen(
+    project: Project,
+    survey: Survey,
+    flat: Sequence[Target],
+    named: Mapping[str, DetectedPlane],
+    judged: dict[str, "_PlaneAssessment"],
+) -> tuple[list[str], AdjustmentResult, Planes]:
+    """Names of the targets to propose, their adjustment, and the planes they were chosen from.
+
+    Planes that turn out not to be flat are marked so in ``judged``.
+
+    Raises
+    ------
+    TargetNotFound
+    AdjustmentError
+    """
+    candidates = list(flat)
+    while True:
+        everything = replace(project, targets=tuple(candidates), result=None)
+        planes = _planes(everything, survey, {each.name: named[each.name] for each in candidates})
+        chosen = chosen_targets(planes)
+        targets = tuple(
+            replace(each, name=f"T{number}")
+            for number, name in enumerate(chosen, start=1)
+            for each in candidates
+            if each.name == name
+        )
+        solved = estimate(replace(project, targets=targets, result=None), survey, cross_check=False)
+        result = solved.result
+        assert result is not None
+        suspects = {sighting.target for sighting in result.suspects} | set(result.excluded_targets)
+        # A wrong boresight bends planes; with one that is known well a bend is that of the surface.
+        known = float(result.sigma.max()) <= ROUGHLY_OFF
+        now = _judged(solved, survey) if known else {}
+        rejected = {
+            name
+            for name, target in zip(chosen, targets, strict=True)
+            if target.name in suspects or (known and not now[target.name].flat)
+        }
+        if not rejected:
+            return chosen, result, planes
+        judged |= {name: replace(judged[name], use="not flat", flat=False) for name in rejected}
+        candidates = [each for each in candidates if each.name not in rejected]
+        if len(candidates) < 2:
+            raise TargetNotFound(_too_few(project, len(candidates), list(judged.values())))
+
+
+def _planes(project: Project, survey: Survey, named: Mapping[str, DetectedPlane]) -> Planes:
+    """The project's targets as planes to choose from."""
+    linearised = _linearised(project, survey)
+    uneven = _unevenness(project, placed_with(survey.clouds, linearised.state.mounting))
+    named = {name: named[name] for name in linearised.problem.observations.targets}
+    return Planes(
+        _with_unevenness(linearised, uneven),
+        {name: plane.centre for name, plane in named.items()},
+        _whole(named),
+        _facing_one_way(project, named),
+    )
+
+
+def _reason(
+    planes: Planes, chosen: Sequence[str], name: str, lines: int, result: AdjustmentResult
+) -> Message:
+    """Why a target is proposed: the angle whose sigma would grow most without it."""
+    without = planes.sigma(set(chosen) - {name})
+    grown = without / planes.sigma(chosen)
+    k = int(np.argmax(grown))
+    if len(chosen) < LEAST_TARGETS or not np.isfinite(grown[k]):
+        return note("propose.target_needed", lines=lines)
+    now = float(result.sigma[k])
+    return note(
+        "propose.target",
+        lines=lines, angle=quantity(ANGLES[k]), without=float(grown[k]) * now, sigma=now,
+    )  # fmt: skip
+
+
+def _reason_of_plane(plane: DetectedPlane, survey: Survey, judged: "_PlaneAssessment") -> Message:
+    """What a validation plane shows, and where it is seen poorly."""
+    found = note(
+        "propose.validation_plane_reciprocal"
+        if _opposite(plane, survey)
+        else "propose.validation_plane",
+        area=plane.area, lines=len(plane.found), height=float(plane.centre[2]),
+    )  # fmt: skip
+    if not judged.poor:
+        return found
+    reason = judged.reason
+    return note("propose.validation_plane_poor", plane=found, lines=judged.poor, reason=reason)
+
+
+def _warnings(result: AdjustmentResult) -> tuple[Message, ...]:
+    """Warnings of the adjustment of the chosen targets."""
+    found = [message for message in doubts(result, None) if message.is_serious]
+    if any(message.code in UNCHECKED for message in found):
+        found.append(warning("targets.proposal_unchecked", subject=RESULT))
+    return tuple(found)
+
+
+def _overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
+    """Whether two planes have points in common."""
+    return any(
+        np.isin(plane.found[line].indices, other.found[line].indices).mean() > SHARED
+        for line in plane.found
+        if line in other.found
+    )
+
+
+def _target(
+    survey: Survey, plane: DetectedPlane, name: str, role: Role, threshold: float
+) -> Target:
+    # Where the prior boresight puts it, as if it had been clicked.
+    line = plane.line if plane.line in plane.found else next(iter(plane.found))
+    indices, aligned = plane.found[line].indices, survey.aligned
+    apart = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
+    clicked = survey.clouds[line][indices[np.argmin(apart)][None]][0]
+    seed: Triple = (float(clicked[0]), float(clicked[1]), float(clicked[2]))
+    sightings = tuple(
+        PickedSighting(
+            line,
+            patch.indices,
+            patch.rms,
+            fingerprint=survey.scans[line].fingerprint,
+            one_in=patch.one_in,
+        )
+        for line, patch in ((n, plane.found[n]) for n in survey.lines if n in plane.found)
+    )
+    radius = FinderSettings().radius
+    return Target(name, role, seed, threshold, radius, sightings, missing=dict(plane.missing))
+
+
+@dataclass(frozen=True)
+class _PlaneAssessment:
+    """Use of a plane: any, validation at need, or none.
+
+    Attributes
+    ----------
+    poor : lines that show it poorly
+    reason : why the first of them does
+    """
+
+    use: Literal["any", "at need", "not flat", "poor"]
+    poor: tuple[str, ...]
+    reason: Message | str
+    flat: bool = True
+
+
+def _judged(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
+    """How good the lines show each target, by the judgement that its table shows."""
+    found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
+    for (name, line), quality in qualities(project, survey).items():
+        found[name][line] = quality
+    return {name: _judged_by(lines) for name, lines in found.items()}
+
+
+def _judged_by(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
+    poor = tuple(line for line, quality in lines.items() if quality.light == "poor")
+    rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
+    doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
+    reason = lines[poor[0]].reasons[0] if poor else ""
+    flat = len(doubtful) < MOSTLY * len(lines)
+    if len(rough) >= MOSTLY * len(lines):
+        return _PlaneAssessment("not flat", poor, reason, flat)
+    if len(poor) < MOSTLY * len(lines):
+        return _PlaneAssessment("any" if flat else "at need", poor, reason, flat)
+    return _PlaneAssessment("at need" if len(poor) == MOSTLY * len(lines) else "poor", poor, reason)
+
+
+def _too_few(project: Project, few: int, judged: Sequence[_PlaneAssessment]) -> Message:
+    """That there are too few planes, and why others do not count."""
+    uneven = sum(not each.flat for each in judged)
+    poor = len(judged) - few - uneven
+    return error(
+        "propose.few_flat_surfaces", project=project.name, count=few, uneven=uneven, poor=poor
+    )
+
+
+def _linearised(project: Project, survey: Survey) -> Linearised:
+    """All planes together, linearised where the adjustment ends up with them."""
+    observations = observations_of(project, survey)
+    model = project.settings.stochastic_model
+    prior = project.mounting("prior")
+    # Planes that all face one way are refused, or accepted, where the pairs of them are known.
+    result = adjust(observations, prior, model, accept_one_facing=True, diagnostics=False)
+    observations = observations.without_targets(result.excluded_targets)
+    shapes = np.stack([target.plane for target in result.targets])
+    with one_thread():
+        problem = Problem.of(observations, result.mounting, model)
+        problem = replace(problem, noise=np.array([target.noise for target in result.targets]))
+        if model.correlated:
+            problem = problem.with_surface(np.maximum(result.surfaces, 1e-5))
+        return problem.linearised(problem.start(result.mounting, shapes))
+
+
+def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
+    """By how much the planes that lines show of one surface differ within it, metres, rms.
+
+    A board is the same from everywhere. A tarpaulin or a bonnet shows each line another part of
+    itself, or is no plane at all, and that is the most it can tell the adjustment.
+    """
+    uneven: dict[str, float] = {}
+    for target in project.targets:
+        placed = [clouds[sighting.line][sighting.indices] for sighting in target.sightings]
+        everywhere = np.concatenate([points[:: 1 + len(points) // 1000] for points in placed])
+        everywhere -= everywhere.mean(axis=0)
+        normals = np.stack([fit_plane(points).normal for points in placed])
+        normals *= np.sign(normals @ normals[0])[:, None]
+        departed = everywhere @ (normals - normals.mean(axis=0)).T
+        uneven[target.name] = float(np.sqrt((departed**2).mean() * len(placed) / (len(placed) - 1)))
+    return uneven
+
+
+def _with_unevenness(linearised: Linearised, uneven: dict[str, float]) -> Linearised:
+    """The same with no surface said to be evener than it is."""
+    problem = linearised.problem
+    if not problem.model.correlated:
+        return linearised
+    for k, sighting in enumerate(problem.observations.sightings):
+        sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
+        problem = problem.with_surface_of([k], slice(0, 3), sigma)
+    return problem.linearised(linearised.state)
+
+
+def _facing_one_way(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
+    """Pairs of planes that face one way, which the adjustment would refuse."""
+    if project.settings.accept_one_facing:
+        return set()
+    normals = {
+        name: next(iter(plane.found.values())).plane.normal for name, plane in planes.items()
+    }
+    free = np.zeros(2, dtype=bool)
+    return {
+        (a, b)
+        for a, b in combinations(planes, 2)
+        if one_facing(np.stack([normals[a], normals[b]]), free)
+    }
+
+
+def _whole(planes: Mapping[str, DetectedPlane]) -> set[str]:
+    """Names of the planes that end within the search radius: the same outline on every line."""
+    radius = FinderSettings().radius
+    return {
+        name
+        for name, plane in planes.items()
+        if ends_within(radius, [patch.extent for patch in plane.found.values()])
+    }
+
+
+def _opposite(plane: DetectedPlane, survey: Survey) -> bool:
+    return any(
+        reciprocal(survey.heading[a], survey.heading[b]) for a, b in combinations(plane.found, 2)
+    )
+
+
+def _validation(planes: list[DetectedPlane], survey: Survey) -> list[DetectedPlane]:
+    """The planes on opposite lines first, each next one the farthest from those before."""
+    large = [plane for plane in planes if plane.area >= LARGE]
+    planes = large if len(large) >= LEAST_VALIDATION else planes
+    left = sorted(planes, key=lambda plane: (not _opposite(plane, survey), -plane.area))
+    kept = left[:1]
+    while len(left) > len(kept) and len(kept) < LEAST_VALIDATION + 1:
+        rest = [plane for plane in left if plane not in kept]
+        opposite = [plane for plane in rest if _opposite(plane, survey)] or rest
+        kept.append(
+            max(
+                opposite,
+                key=lambda plane: min(
+                    float(np.linalg.norm(plane.centre - other.centre)) for other in kept
+                ),
+            )
+        )
+    return kept

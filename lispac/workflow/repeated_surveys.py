@@ -1,0 +1,99 @@
+"""Calibrations of one mounting by several surveys, from their projects."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from lispac.errors import ProjectError
+from lispac.messages import Message, error, note
+from lispac.project import Project
+from lispac.validation.repeatability import Calibration
+from lispac.workflow.projects import open_project
+from lispac.workflow.same_lines import same_lines, shared_lines
+
+
+@dataclass(frozen=True, eq=False)
+class ComparedProjects:
+    """Calibrations of several projects.
+
+    Attributes
+    ----------
+    each : the earliest first
+    counted : those that count where all are put together, each survey once
+    remarks : what there is to say of comparing them
+    """
+
+    each: tuple[Calibration, ...]
+    counted: tuple[Calibration, ...]
+    remarks: tuple[Message, ...]
+
+
+def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
+    """The calibration of each project, and what there is to say of comparing them.
+
+    Parameters
+    ----------
+    folders : projects, the earliest first
+
+    Raises
+    ------
+    ProjectError
+        Where a project has no answer yet, or one is given twice.
+    """
+    projects = [open_project(folder) for folder in folders]
+    seen: set[Path] = set()
+    for project in projects:
+        where = project.folder.resolve()
+        if where in seen:
+            raise ProjectError(error("repeat.given_twice", folder=str(project.folder)))
+        seen.add(where)
+        if project.result is None:
+            raise ProjectError(error("estimate.needed", project=project.name))
+    names = names_of(projects)
+    found = [
+        Calibration(name, project.result.boresight, project.result.covariance)
+        for name, project in zip(names, projects, strict=True)
+        if project.result is not None
+    ]
+    counted: list[int] = []
+    remarks: list[Message] = []
+    for k, project in enumerate(projects):
+        first = next((j for j in counted if same_lines(projects[j], project)), None)
+        if first is None:
+            counted.append(k)
+        else:
+            remarks.append(note("repeat.same_lines", name=names[k], other=names[first]))
+    remarks += remarks_on(names, projects)
+    return ComparedProjects(tuple(found), tuple(found[k] for k in counted), tuple(remarks))
+
+
+def names_of(projects: Sequence[Project]) -> list[str]:
+    """Their own names; with the folder above them, or all of it, where two have the same."""
+    paths = [project.folder.resolve() for project in projects]
+    kinds = [
+        [project.name for project in projects],
+        [
+            f"{path.parent.name}/{project.name}"
+            for path, project in zip(paths, projects, strict=True)
+        ],
+        [str(path) for path in paths],
+    ]
+    return [
+        next((kind[k] for kind in kinds if kind.count(kind[k]) == 1), kinds[-1][k])
+        for k in range(len(projects))
+    ]
+
+
+def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
+    """What makes the later ones hard to compare with the first."""
+    said = []
+    first = projects[0]
+    for name, project in zip(names[1:], projects[1:], strict=True):
+        shared = shared_lines(first, project)
+        if shared and not same_lines(first, project):
+            said.append(note("repeat.shared_lines", name=name, other=names[0], count=len(shared)))
+        if project.settings.lever_arm != first.settings.lever_arm:
+            said.append(note("repeat.lever_arm", name=name, other=names[0]))
+        if project.settings.pos_errors != first.settings.pos_errors:
+            said.append(note("repeat.pos_errors", name=name, other=names[0]))
+    return said

@@ -1,0 +1,358 @@
+"""Seeking a target of either shape, in one line or in all."""
+
+import os
+from collections.abc import Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.messages import Message, error, note
+from lispac.progress import Progress, no_progress
+from lispac.project import Role, Shape, Target
+from lispac.survey.cloud import MOST, Cloud, Region
+from lispac.targets.across_lines import find_in_lines
+from lispac.targets.agreement import PRIOR_ACCURACY, PlacementAccuracy, agreeing
+from lispac.targets.alignment import Alignment
+from lispac.targets.finder import (
+    FinderSettings,
+    PlanePatch,
+    checked_seed,
+    find_plane,
+    patch_among,
+    patch_of,
+)
+from lispac.targets.lines import CLICK
+from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere, patch_on_sphere
+from lispac.targets.spheres_across_lines import find_spheres_in_lines
+
+Array = NDArray[np.float64]
+Patch = PlanePatch | SpherePatch
+OnePatch = TypeVar("OnePatch", PlanePatch, SpherePatch)
+
+DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
+"""Metres about the seed, tried in turn until two lines have the plane.
+
+A board fits into two metres. A validation plane is a piece of a wall or a tower, where more points
+tell more, and the place given for its middle may be hidden from the lines or out of their reach.
+"""
+
+SPHERE_THRESHOLD, LARGEST_SHARE = 0.03, 0.3
+"""Metres, and share of a known radius: default threshold for spheres.
+
+A ball is small and crossed in a tenth of a second, in which a rolling vessel displaces its profiles
+against each other by up to a centimetre. Planes get by with less, for they are crossed for longer
+and only what lies across them counts. A threshold near the radius would take what is beside a small
+ball for its surface.
+"""
+
+SURROUNDED = 3.0
+"""Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
+may lie on the far side, and what is around the ball tells where it is in the other lines."""
+
+SOUGHT = 50_000
+"""Points about a seed among which a plane is sought; where a line has more there, a fair sample
+shows where the plane is, and then all points that lie on it are taken."""
+
+ABOUT = 0.1
+"""Metres from a clicked point within which its neighbours are looked for."""
+
+UP = np.array([0.0, 0.0, 1.0])
+
+MET_SHIFT = 0.5
+"""Metres that a target may be from one line to another where the lines nearly meet: what is left is
+the error of the POS, and what the rough boresight is off by."""
+
+
+@dataclass(frozen=True)
+class TargetSearch:
+    """What is sought.
+
+    Attributes
+    ----------
+    shape : {"plane", "sphere"}
+    sphere_radius : float or None, metres
+        None where it is unknown, and for planes.
+    """
+
+    shape: Shape = "plane"
+    sphere_radius: float | None = None
+
+    @classmethod
+    def of(cls, target: Target) -> "TargetSearch":
+        """A target already picked, again."""
+        return cls(target.shape, target.sphere_radius)
+
+    @property
+    def radii(self) -> RadiusSought:
+        """Radii a sphere may have."""
+        if self.sphere_radius is None:
+            return RadiusSought()
+        return RadiusSought.exactly(self.sphere_radius)
+
+    def search_radii(self, role: Role) -> tuple[float, ...]:
+        """Default search radii about the seed, metres, tried in turn."""
+        usual = DEFAULT_RADII[role]
+        return tuple(max(radius, SURROUNDED * (self.sphere_radius or 0.0)) for radius in usual)
+
+    def threshold(self, usual: float) -> float:
+        """Default threshold, metres, where that for planes is ``usual``."""
+        if self.shape == "plane":
+            return usual
+        if self.sphere_radius is None:
+            return max(usual, SPHERE_THRESHOLD)
+        return max(usual, min(SPHERE_THRESHOLD, LARGEST_SHARE * self.sphere_radius))
+
+    def require_same(self, known: Target) -> None:
+        """Refuse to add a sighting of another shape, or of another known radius, to a target.
+
+        Raises
+        ------
+        ProjectError
+        """
+        if known.shape != self.shape:
+            raise ProjectError(
+                error(
+                    "pick.is_plane" if known.shape == "plane" else "pick.is_sphere",
+                    target=known.name,
+                )
+            )
+        if known.sphere_radius != self.sphere_radius:
+            raise ProjectError(
+                error("pick.radius_unknown", target=known.name)
+                if known.sphere_radius is None
+                else error("pick.other_radius", target=known.name, radius=known.sphere_radius)
+            )
+
+    def at(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
+        """The target at the seed in one line.
+
+        Parameters
+        ----------
+        seed : ndarray of shape (3,), metres, local frame
+
+        Raises
+        ------
+        TargetNotFound
+        """
+        if self.shape == "sphere":
+            region = cloud.within(checked_seed(seed), settings.radius)
+            return _numbered(find_sphere(region.points, seed, self.radii, settings), region)
+        region = cloud.within(checked_seed(seed), settings.radius, most=SOUGHT)
+        beside = _beside(region, cloud, checked_seed(seed))
+        return _whole(find_plane(region.points, seed, settings, beside=beside), region, cloud)
+
+    def patch_of(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
+        """The target that chosen points of a line form.
+
+        Parameters
+        ----------
+        indices : ndarray of shape (n,), int
+
+        Raises
+        ------
+        TargetNotFound
+            Where they do not determine one.
+        """
+        points = cloud[indices]
+        every = np.arange(len(points))
+        if self.shape == "plane":
+            return replace(patch_of(points, every, UP), indices=indices)
+        patch = patch_on_sphere(points, every, self.radii)
+        return replace(patch, indices=indices[patch.indices])
+
+    def in_lines(
+        self,
+        clouds: Mapping[str, Cloud],
+        seed: Array,
+        settings: FinderSettings,
+        *,
+        first_line: str | None = None,
+        accuracy: PlacementAccuracy = PRIOR_ACCURACY,
+        progress: Progress = no_progress,
+    ) -> tuple[Mapping[str, Patch], dict[str, Message]]:
+        """The target at the seed in every line, and why it is missing in the others.
+
+        Of each line no more is read than what the target may be in. A surface that differs from
+        the target by more than the accuracy of the placement allows is another one.
+
+        Parameters
+        ----------
+        seed : ndarray of shape (3,), metres, local frame
+        accuracy : PlacementAccuracy
+            How well these lines are placed relative to each other.
+
+        Raises
+        ------
+        TargetNotFound
+        """
+        if self.shape == "plane":
+            return planes_in_lines(
+                clouds, seed, settings, first_line=first_line, accuracy=accuracy, progress=progress
+            )
+        regions, points = _regions(clouds, seed, settings)
+        found, missing = find_spheres_in_lines(
+            points, seed, self.radii, settings, first_line=first_line, progress=progress
+        )
+        numbered = {name: _numbered(patch, regions[name]) for name, patch in found.items()}
+        kept, rejected = agreeing(
+            numbered,
+            clouds,
+            accuracy,
+            settings.radius,
+            _clicked(first_line, numbered, seed, clouds),
+        )
+        return kept, missing | rejected
+
+
+def planes_in_lines(
+    clouds: Mapping[str, Cloud],
+    seed: Array,
+    settings: FinderSettings,
+    *,
+    first_line: str | None = None,
+    accuracy: PlacementAccuracy = PRIOR_ACCURACY,
+    progress: Progress = no_progress,
+) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
+    """As `TargetSearch.in_lines`, for a plane."""
+    regions, points = _regions(clouds, seed, settings, most=SOUGHT)
+    beside = {name: _beside(regions[name], cloud, seed) for name, cloud in clouds.items()}
+    found, missing = find_in_lines(
+        points, seed, settings, first_line=first_line, progress=progress,
+        beside={name: close for name, close in beside.items() if close is not None},
+    )  # fmt: skip
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        every = pool.map(lambda name: _whole(found[name], regions[name], clouds[name]), found)
+        whole = dict(zip(found, every, strict=True))
+    kept, rejected = agreeing(
+        whole, clouds, accuracy, settings.radius, _clicked(first_line, whole, seed, clouds)
+    )
+    return kept, missing | rejected
+
+
+def _clicked(
+    first_line: str | None, found: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
+) -> str | None:
+    """The line that was clicked, if it is known."""
+    if first_line is not None:
+        return first_line
+    return next((name for name in found if len(clouds[name].within(seed, CLICK).numbers)), None)
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """Where a target is sought: in lines that nearly meet.
+
+    Attributes
+    ----------
+    clouds : mapping of line name to Cloud
+    seed : ndarray of shape (3,), metres, local frame
+        Moved as the line was that it was taken from.
+    line : str or None
+        The line that is.
+    max_shift : float, metres
+        Farthest the target may be from one line to another.
+    accuracy : PlacementAccuracy
+        Of the lines.
+    """
+
+    clouds: Mapping[str, Cloud]
+    seed: Array
+    line: str | None
+    max_shift: float
+    accuracy: PlacementAccuracy
+
+    @classmethod
+    def of(cls, aligned: Alignment, seed: Array, line: str | None, radius: float) -> "Place":
+        """A seed as it was clicked or typed, with the lines as the prior boresight places them.
+
+        Parameters
+        ----------
+        aligned : Alignment
+        seed : ndarray of shape (3,), metres, local frame
+        line : str or None
+            The line it was taken from. Where that is not known, a line with a point at the seed.
+        radius : float, metres
+            Search radius about the seed.
+        """
+        seed = checked_seed(seed)
+        reach = MET_SHIFT if aligned.nearly_meets else FinderSettings().max_shift
+        reaches = (CLICK,) if line is None else (CLICK, 0.1, radius)
+        nearest: list[tuple[float, str, Array]] = []
+        for name in aligned.before if line is None else (line,):
+            nearest += _nearest(aligned, name, seed, reaches)
+        if not nearest:
+            return cls(aligned.clouds, seed, line, reach, aligned.accuracy)
+        _, line, move = min(nearest, key=lambda found: found[:2])
+        return cls(aligned.clouds, seed + move, line, reach, aligned.accuracy)
+
+
+def _nearest(
+    aligned: Alignment, line: str, seed: Array, reaches: tuple[float, ...]
+) -> list[tuple[float, str, Array]]:
+    """The line's point nearest to the seed: how far off, the line, how the point was moved."""
+    before = aligned.before.get(line)
+    if before is None:
+        return []
+    for reach in reaches:
+        region = before.within(seed, reach)
+        if len(region.points):
+            apart = np.linalg.norm(region.points - seed, axis=1)
+            own = region.numbers[np.argmin(apart)][None]
+            return [(float(apart.min()), line, (aligned.clouds[line][own] - before[own])[0])]
+    return []
+
+
+def thinned_notes(target: Target) -> tuple[Message, ...]:
+    """Notes on the sightings for which not all points around the seed were used."""
+    return tuple(
+        note(
+            "finder.points_thinned", target=target.name, line=sighting.line, most=MOST,
+            one_in=sighting.one_in,
+        )
+        for sighting in target.sightings
+        if sighting.one_in > 1
+    )  # fmt: skip
+
+
+def _regions(
+    clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings, *, most: int | None = None
+) -> tuple[dict[str, Region], dict[str, Array]]:
+    """Of each line what the target may be in, and its points."""
+    seed, reach = checked_seed(seed), settings.radius + settings.max_shift
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        read = pool.map(lambda cloud: cloud.within(seed, reach, most=most), clouds.values())
+        regions = dict(zip(clouds, read, strict=True))
+    return regions, {name: region.points for name, region in regions.items()}
+
+
+def _beside(region: Region, cloud: Cloud, seed: Array) -> Array | None:
+    """A sampled line's points close to a click in it, the nearest first.
+
+    The sample may lack all of them, and a click on the edge of a board would then seem to float
+    before the wall behind.
+    """
+    if region.one_in == 1 or len(cloud.within(seed, CLICK).numbers) == 0:
+        return None
+    points = cloud.within(seed, ABOUT).points
+    return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]
+
+
+def _numbered(patch: OnePatch, region: Region) -> OnePatch:
+    """The patch with the numbers of its points in the line, not in the region it was found in."""
+    return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
+
+
+def _whole(patch: PlanePatch, region: Region, cloud: Cloud) -> PlanePatch:
+    """All of the line's points on a plane that was found among some of them."""
+    if region.one_in == 1:
+        return _numbered(patch, region)
+    some = region.points[patch.indices]
+    reach = float(np.linalg.norm(some - patch.centre, axis=1).max())
+    there = cloud.within(patch.centre, reach)
+    complete = patch_among(there.points, some, patch.plane)
+    return replace(complete, indices=there.numbers[complete.indices], one_in=there.one_in)
