@@ -225,7 +225,7 @@ class Photographer:
     def design(self) -> None:
         """The workspace of a site, its tables and views, before and after its long work."""
         self.window.actions_["design"].trigger()
-        designing = self.window.designing
+        designing = self.window.site_design
         design = designing.window
         for width, height in self._sizes:
             design.setGeometry(0, 0, width, height)
@@ -253,7 +253,7 @@ class Photographer:
 
     def leave(self) -> None:
         """Close the windows, and list what stayed English."""
-        assert self.window.designing.leave()
+        assert self.window.site_design.leave()
         self.window.retire()
 
 

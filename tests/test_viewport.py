@@ -239,12 +239,12 @@ def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget
         return drawn()
 
     assert move() == 2000
-    view._detailing.now(view._refining(view._pace.resting))
+    view._view_detail.now(view._refining(view._pace.resting))
     assert drawn() == 2 * 4000  # with their rims
     view._pace.slice = 1
     view._detail_s = 1.0
     assert move() == 250
-    view._detailing.now(view._refining(view._pace.resting))
+    view._view_detail.now(view._refining(view._pace.resting))
     assert drawn() == 2 * 4000
 
 

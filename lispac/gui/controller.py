@@ -280,28 +280,28 @@ class Controller(QObject):
 
     # -- seeds -------------------------------------------------------------------------------
 
-    def seed(self, point: PickedPoint, wishes: SeedOptions) -> None:
+    def seed(self, point: PickedPoint, seed_options: SeedOptions) -> None:
         """Find the target under a click and offer it.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
         with its role and shape.
         """
         if self._may_seed():
-            self._seek(self._scene.to_prior(point), wishes, first_line=point.line)
+            self._seek(self._scene.to_prior(point), seed_options, first_line=point.line)
 
-    def seek(self, position: Triple, wishes: SeedOptions, *, name: str = "") -> None:
+    def seek(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
         """Find the target at a place and offer it; with no ``name`` it gets the next free one.
 
         Parameters
         ----------
         position : metres, local frame
         """
-        self._seek(lambda: position, wishes, name=name)
+        self._seek(lambda: position, seed_options, name=name)
 
     def _seek(
         self,
         position: Callable[[], Triple],
-        wishes: SeedOptions,
+        seed_options: SeedOptions,
         *,
         name: str = "",
         first_line: str | None = None,
@@ -311,9 +311,9 @@ class Controller(QObject):
             return
         from lispac.workflow import picking
 
-        role, line, how = wishes.role, wishes.line, wishes.how
-        if line is not None and wishes.selected is not None and not name:
-            known = project.target(wishes.selected)
+        role, line, how = seed_options.role, seed_options.line, seed_options.how
+        if line is not None and seed_options.selected is not None and not name:
+            known = project.target(seed_options.selected)
             name, role = known.name, known.role
             how |= {"shape": known.shape, "sphere_radius": known.sphere_radius}
         name = name or picking.next_name(project, role)

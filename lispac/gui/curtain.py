@@ -26,7 +26,7 @@ class Curtain(QObject):
         note: Callable[[str], None],
     ) -> None:
         super().__init__(actions)
-        self._document, self._scene, self._computing = document, scene, computing
+        self._document, self._scene, self._computations = document, scene, computing
         self._viewport, self._note = viewport, note
         self._action = actions["wipe"]
         self._action.triggered.connect(self._switch)
@@ -44,7 +44,7 @@ class Curtain(QObject):
         elif self._scene.which == "estimated":
             self._follow()
         else:
-            self._computing.show("estimated")
+            self._computations.show("estimated")
 
     def _follow(self) -> None:
         survey = self._document.survey

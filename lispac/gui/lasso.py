@@ -47,14 +47,14 @@ class Lasso(QObject):
         scene: Scene,
         viewport: Viewport,
         actions: Actions,
-        pointing: MouseTool,
+        mouse_tool: MouseTool,
         clipping: Clipping,
         note: Callable[[str], None],
         refuse: Callable[[LispacError], None],
     ) -> None:
         super().__init__(actions)
         self._document, self._scene, self._viewport = document, scene, viewport
-        self._pointing, self._clipping = pointing, clipping
+        self._mouse_tool, self._clipping = mouse_tool, clipping
         self._actions, self._note, self._refuse = actions, note, refuse
         for tool in TOOLS:
             actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
@@ -62,23 +62,23 @@ class Lasso(QObject):
 
     def _switch(self, tool: str, on: bool) -> None:
         if not on:
-            self._pointing.end()
+            self._mouse_tool.end()
         elif not self._scene.selected_points:
             self._actions[tool].setChecked(False)
             self._note(gettext(NOTHING_SELECTED))
         else:
-            self._pointing.begin(tool, "", outlined=self._take, ended=lambda: None)
+            self._mouse_tool.begin(tool, "", outlined=self._take, ended=lambda: None)
             self._hint()
 
     def _hint(self) -> None:
-        tool, selected = self._pointing.tool, self._scene.selected
+        tool, selected = self._mouse_tool.tool, self._scene.selected
         if tool not in TOOLS or selected is None:
             return
         if tool == "lasso_add":
             template = N_("Draw around points to add them to {sighting}")
         else:
             template = N_("Draw around points to remove them from {sighting}")
-        self._pointing.hint(gettext(template, sighting=_sighting(*selected)), "outline")
+        self._mouse_tool.hint(gettext(template, sighting=_sighting(*selected)), "outline")
 
     def _take(self, corners: Array) -> None:
         project, selected = self._document.project, self._scene.selected
@@ -86,7 +86,7 @@ class Lasso(QObject):
             self._note(gettext(NOTHING_SELECTED))
             return
         name, line = selected
-        tool = self._pointing.tool
+        tool = self._mouse_tool.tool
         edit = with_points if tool == "lasso_add" else without_points
         shown = {
             each: cloud

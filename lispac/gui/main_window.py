@@ -101,23 +101,25 @@ class MainWindow(QMainWindow):
         self.runner = TaskRunner(self)
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
-        self.computing = Computations(self.document, self.runner, self.scene, self.controller)
-        self.estimating = Estimation(self.document, self.runner, self.scene, self.controller)
-        self.life = ProjectLifecycle(
-            self.document, self.controller, self.computing, self.estimating, self.scene,
+        self.computations = Computations(self.document, self.runner, self.scene, self.controller)
+        self.estimation = Estimation(self.document, self.runner, self.scene, self.controller)
+        self.lifecycle = ProjectLifecycle(
+            self.document, self.controller, self.computations, self.estimation, self.scene,
             self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
         self.actions_[THEMED[self.settings.theme]].setChecked(True)
-        self.looking = ViewMenu(viewport, self.scene, self.controller, self.actions_, self.settings)
+        self.view_menu = ViewMenu(
+            viewport, self.scene, self.controller, self.actions_, self.settings
+        )
         self.tools = Tools(self)
         with undressed():
             self._build()
         self._join_panels()
         self._join_actions()
         self._join_work()
-        self.showing = PanelRefresh(self)
+        self.panel_refresh = PanelRefresh(self)
         self.target_work = TargetWork(self)
         SeedActions(self)
         ReportExport(self)
@@ -126,15 +128,15 @@ class MainWindow(QMainWindow):
         ScriptExport(self)
         Preferring(self)
         Manual(self)
-        self.designing = SiteDesign(self)
-        self.safekeeping = RecoveryCopies(self)
-        self.cautioning = WarningList(self)
-        self.cautioning.selected.connect(self._select)
-        self.notifying = DesktopNotifications(self, self.runner)
-        self.tour = Tour(self, self.stage.card)
-        FileDrops(self).dropped.connect(self.life.take_in)
+        self.site_design = SiteDesign(self)
+        self.recovery_copies = RecoveryCopies(self)
+        self.warning_list = WarningList(self)
+        self.warning_list.selected.connect(self._select)
+        self.notifications = DesktopNotifications(self, self.runner)
+        self.tour = Tour(self, self.central_widget.card)
+        FileDrops(self).dropped.connect(self.lifecycle.take_in)
         if document is None:
-            self.showing.refresh()
+            self.panel_refresh.refresh()
         else:
             document.show_again()
 
@@ -150,8 +152,8 @@ class MainWindow(QMainWindow):
         self.convention = ConventionPanel()
         self.table, self.histograms = SightingsTable(), HistogramsPanel()
         self.diagnostics = DiagnosticsPanel()
-        self.stage = CentralWidget(self.viewport)
-        self.setCentralWidget(self.stage)
+        self.central_widget = CentralWidget(self.viewport)
+        self.setCentralWidget(self.central_widget)
         self.task_bar = TaskBar()
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
@@ -207,9 +209,9 @@ class MainWindow(QMainWindow):
         data, targets, control = self.data, self.targets, self.controller
         data.line_shown.connect(self.viewport.set_line_visible)
         data.settings_edited.connect(control.change_settings)
-        data.new_asked.connect(self.life.new)
-        data.open_asked.connect(self.life.open)
-        data.demo_asked.connect(self.life.demo)
+        data.new_asked.connect(self.lifecycle.new)
+        data.open_asked.connect(self.lifecycle.open)
+        data.demo_asked.connect(self.lifecycle.demo)
         targets.accepted.connect(control.accept)
         targets.rejected.connect(control.reject)
         targets.renamed.connect(self._rename)
@@ -227,36 +229,36 @@ class MainWindow(QMainWindow):
         self.table.sightings.line_used.connect(control.use_line)
         self.diagnostics.followed.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
-        self.adjust.subsample_changed.connect(self.computing.count)
-        self.adjust.estimate_asked.connect(self.life.estimate)
+        self.adjust.subsample_changed.connect(self.computations.count)
+        self.adjust.estimate_asked.connect(self.lifecycle.estimate)
         self.adjust.cancel_asked.connect(self.runner.cancel)
-        self.validate.validate_asked.connect(self.computing.validate)
-        self.validate.shown_changed.connect(self.computing.show)
-        self.validate.model_changed.connect(self.computing.measure_to)
-        self.report.lines_asked.connect(self.life.export)
-        self.stage.start.chosen.connect(lambda name: self.actions_[name].trigger())
-        self.stage.start.project_chosen.connect(self.open_project)
+        self.validate.validate_asked.connect(self.computations.validate)
+        self.validate.shown_changed.connect(self.computations.show)
+        self.validate.model_changed.connect(self.computations.measure_to)
+        self.report.lines_asked.connect(self.lifecycle.export)
+        self.central_widget.start.chosen.connect(lambda name: self.actions_[name].trigger())
+        self.central_widget.start.project_chosen.connect(self.open_project)
 
     def _join_actions(self) -> None:
         actions = self.actions_
         for name, slot in {
-            "new": self.life.new,
-            "open": self.life.open,
-            "demo": self.life.demo,
-            "add_lines": self.life.add_lines,
+            "new": self.lifecycle.new,
+            "open": self.lifecycle.open,
+            "demo": self.lifecycle.demo,
+            "add_lines": self.lifecycle.add_lines,
             "save": self.controller.save,
-            "save_as": self.life.save_as,
-            **self.life.exports,
+            "save_as": self.lifecycle.save_as,
+            **self.lifecycle.exports,
             "quit": self.close,
             "seed_target": lambda: self._seed_as("target"),
             "seed_validation": lambda: self._seed_as("validation"),
             "accept": self.controller.accept,
             "reject": self.controller.reject,
             "estimate": self.adjust.ask,
-            "validate": self.computing.validate,
+            "validate": self.computations.validate,
             "cancel": self.runner.cancel,
-            "before": lambda: self.computing.show("prior"),
-            "after": lambda: self.computing.show("estimated"),
+            "before": lambda: self.computations.show("prior"),
+            "after": lambda: self.computations.show("estimated"),
             "toggle": self._toggle,
             **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
             "arrange": lambda: docks.arrange(self, self.docks, self._at_first),
@@ -280,8 +282,8 @@ class MainWindow(QMainWindow):
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.noted.connect(self._note)
         self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
-        self.computing.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
-        self.scene.placing_wanted.connect(lambda: self.computing.show("estimated"))
+        self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
+        self.scene.placing_wanted.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._seeded)
         self.viewport.signals.missed.connect(
             lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
@@ -299,7 +301,7 @@ class MainWindow(QMainWindow):
 
     def open_project(self, path: Path) -> None:
         """Open a project, after asking about changes to the present one."""
-        self.life.open_project(path)
+        self.lifecycle.open_project(path)
 
     def _open_log_file(self) -> None:
         file = self.settings.folder / LOG_NAME
@@ -307,14 +309,14 @@ class MainWindow(QMainWindow):
             self._note(gettext("No program is set up to open {file}.", file=file))
 
     def _list_recent(self) -> None:
-        self.life.list_recent(self.actions_.recent)
+        self.lifecycle.list_recent(self.actions_.recent)
 
     def _seed_as(self, role: str) -> None:
         self.targets.set_role(role)
         self.workflow.open(status.TARGETS)
 
     def _seeded(self, point: PickedPoint) -> None:
-        self.controller.seed(point, self.targets.wishes)
+        self.controller.seed(point, self.targets.seed_options)
 
     def _select(self, name: str, line: str) -> None:
         self.scene.look_at(name, line)
@@ -340,7 +342,7 @@ class MainWindow(QMainWindow):
 
     def renew(self) -> None:
         """Ask for a window in the language and looks of the settings, once no task runs."""
-        for runner in (self.runner, *self.designing.runners):
+        for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
                 self._note(gettext("The window changes when the running task has ended."))
                 runner.idle.connect(self.renew, Qt.ConnectionType.SingleShotConnection)
@@ -348,17 +350,17 @@ class MainWindow(QMainWindow):
         self.renewal_asked.emit()
 
     def _toggle(self) -> None:
-        self.computing.show("prior" if self.scene.which == "estimated" else "estimated")
+        self.computations.show("prior" if self.scene.which == "estimated" else "estimated")
 
     # -- the end -----------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Go, unless something would be lost and the user stays."""
-        if not (self.life.may_leave() and self.designing.leave()):
+        if not (self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return
         self.keep_layout()
-        self.safekeeping.forget()
+        self.recovery_copies.forget()
         self.settings.left_open = None
         self.retire()
         event.accept()
@@ -375,10 +377,10 @@ class MainWindow(QMainWindow):
         """
         docks.hide_floating(self.docks)
         self.hide()
-        self.designing.end()
+        self.site_design.end()
         self.adjust.stop()
-        self.estimating.stop()
-        self.cautioning.stop()
+        self.estimation.stop()
+        self.warning_list.stop()
         self.runner.close()
-        self.safekeeping.stop()
+        self.recovery_copies.stop()
         self.viewport.close()

@@ -33,11 +33,11 @@ class Measurements(QObject):
         self,
         viewport: Viewport,
         actions: Actions,
-        pointing: MouseTool,
+        mouse_tool: MouseTool,
         note: Callable[[str], None],
     ) -> None:
         super().__init__(actions)
-        self._viewport, self._pointing, self._note = viewport, pointing, note
+        self._viewport, self._mouse_tool, self._note = viewport, mouse_tool, note
         self._points: list[Array] = []
         for tool in HINTS:
             actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
@@ -46,18 +46,18 @@ class Measurements(QObject):
         """Clear the points, because the lines have moved."""
         self._points = []
         self._viewport.show_sketch(SKETCH, None)
-        if self._pointing.tool in HINTS:
-            self._pointing.hint(gettext(HINTS[self._pointing.tool][0]))
+        if self._mouse_tool.tool in HINTS:
+            self._mouse_tool.hint(gettext(HINTS[self._mouse_tool.tool][0]))
 
     def _switch(self, tool: str, on: bool) -> None:
         if on:
             hint = gettext(HINTS[tool][0])
-            self._pointing.begin(tool, hint, pointed=self._take, ended=self.restart)
+            self._mouse_tool.begin(tool, hint, pointed=self._take, ended=self.restart)
         else:
-            self._pointing.end()
+            self._mouse_tool.end()
 
     def _take(self, point: PickedPoint) -> None:
-        tool = self._pointing.tool
+        tool = self._mouse_tool.tool
         needed = len(HINTS[tool])
         if len(self._points) == needed:
             self._points = []
@@ -76,7 +76,7 @@ class Measurements(QObject):
             one_line = text.replace("\n", ", ")
             self._note(one_line)
         hints = (*HINTS[tool], AGAIN)
-        self._pointing.hint(gettext(hints[len(self._points)]))
+        self._mouse_tool.hint(gettext(hints[len(self._points)]))
         self._viewport.show_sketch(SKETCH, _sketch(self._points, text, metric))
 
 

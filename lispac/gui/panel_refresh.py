@@ -31,7 +31,7 @@ class PanelRefresh(QObject):
         window.runner.changed.connect(self._show_task)
         window.runner.moved.connect(self._show_progress)
         window.controller.candidate_changed.connect(self._show_candidate)
-        window.computing.counted.connect(self._show_count)
+        window.computations.counted.connect(self._show_count)
         window.scene.which_changed.connect(self._show_which)
 
     def refresh(self) -> None:
@@ -42,9 +42,9 @@ class PanelRefresh(QObject):
         project, survey, statuses = self._state()
         waiting = window.document.awaits_result
         busy = window.runner.busy
-        window.stage.show_view(project is not None)
+        window.central_widget.show_view(project is not None)
         if project is None:
-            window.stage.start.show_recent(window.settings.recent())
+            window.central_widget.start.show_recent(window.settings.recent())
         window.workflow.show_status(statuses)
         window.data.show_project(project, survey)
         window.targets.show_project(project, survey)
@@ -93,7 +93,7 @@ class PanelRefresh(QObject):
             "tour": not busy,
             **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
             "report": statuses[REPORT].ready and not busy,
-            **dict.fromkeys(window.life.exports, ready),
+            **dict.fromkeys(window.lifecycle.exports, ready),
             "accept": window.controller.candidate is not None,
             "reject": window.controller.candidate is not None,
             "estimate": statuses[ADJUST].ready and not busy,
@@ -138,7 +138,7 @@ class PanelRefresh(QObject):
 
     def _count(self) -> None:
         window = self._window
-        window.computing.count(window.adjust.subsample)
+        window.computations.count(window.adjust.subsample)
 
     def _show_which(self, which: str) -> None:
         window = self._window

@@ -78,14 +78,14 @@ class PatchObjects(QObject):
         self.laid.emit(laid, "")
 
     def _switch(self, on: bool) -> None:
-        pointing = self._window.tools.pointing
+        mouse_tool = self._window.tools.mouse_tool
         if not on:
-            pointing.end()
+            mouse_tool.end()
             return
-        pointing.begin("patch_point", gettext(HINT), pointed=self._add_point, ended=lambda: None)
+        mouse_tool.begin("patch_point", gettext(HINT), pointed=self._add_point, ended=lambda: None)
 
     def _add_point(self, point: PickedPoint) -> None:
-        self._window.tools.pointing.end()
+        self._window.tools.mouse_tool.end()
         self._add(Box(np.array(point.position), np.array(ABOUT_POINT)))
 
     def _add_target(self) -> None:

@@ -37,14 +37,14 @@ class ProjectLifecycle(QObject):
         document: Document,
         controller: Controller,
         computing: Computations,
-        estimating: Estimation,
+        estimation: Estimation,
         scene: Scene,
         dialogs: Dialogs,
         settings: AppSettings,
     ) -> None:
         super().__init__(controller)
-        self._document, self._controller, self._computing = document, controller, computing
-        self._estimating, self._scene = estimating, scene
+        self._document, self._controller, self._computations = document, controller, computing
+        self._estimation, self._scene = estimation, scene
         self._dialogs, self._settings = dialogs, settings
         controller.files_missing.connect(self._seek_files)
 
@@ -175,7 +175,7 @@ class ProjectLifecycle(QObject):
                 self._controller.accept()
             else:
                 self._controller.reject()
-        self._estimating.estimate(settings, cross_check)
+        self._estimation.estimate(settings, cross_check)
 
     @property
     def exports(self) -> dict[str, Callable[[], None]]:
@@ -192,7 +192,7 @@ class ProjectLifecycle(QObject):
         if project is not None and survey is not None:
             request = self._dialogs.export(what, self._scene.which, project, survey.trajectory)
             if request is not None:
-                self._computing.export(request)
+                self._computations.export(request)
 
 
 def _beside(folder: Path) -> Path:

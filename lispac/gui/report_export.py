@@ -40,7 +40,7 @@ class ReportExport(QObject):
         self._photographer = Photographer(
             self._document, self._runner, self._controller, window.scene, window.viewport, self
         )
-        self._computing = window.computing
+        self._computations = window.computations
         self._panel, self._settings = window.report, window.settings
         self._panel.show_choice(self._settings.report_choice())
         self._panel.report_asked.connect(self.export)
@@ -79,7 +79,7 @@ class ReportExport(QObject):
         path = self._dialogs.report_file(kept(project.folder) / f"{project.name}.pdf")
         if path is not None:
             write = partial(self._write, project, survey, options, path)
-            self._computing.with_placed(
+            self._computations.with_placed(
                 project, survey, lambda: self._photographer.take(project, write)
             )
 
@@ -112,7 +112,7 @@ class ReportExport(QObject):
         if project is None or project.result is None or survey is None or options is None:
             return
         set_pages = partial(self._set, project, survey, options)
-        self._computing.with_placed(
+        self._computations.with_placed(
             project, survey, lambda: self._photographer.take(project, set_pages)
         )
 

@@ -36,12 +36,12 @@ class Sections(QObject):
         scene: Scene,
         viewport: Viewport,
         actions: Actions,
-        pointing: MouseTool,
+        mouse_tool: MouseTool,
         bring: Callable[[QObject], None],
     ) -> None:
         super().__init__(actions)
         self._document, self._runner, self._scene = document, runner, scene
-        self._viewport, self._pointing, self._bring = viewport, pointing, bring
+        self._viewport, self._mouse_tool, self._bring = viewport, mouse_tool, bring
         self.panel = SectionPanel()
         self._ends: list[Array] = []
         self._stale = self._seen = self._drawn = False
@@ -69,20 +69,20 @@ class Sections(QObject):
 
     def _switch(self, on: bool) -> None:
         if not on:
-            self._pointing.end()
+            self._mouse_tool.end()
             return
         self._ends = []
         self._draw(None)
         hint = gettext(HINTS[0])
-        self._pointing.begin("section_points", hint, pointed=self._take, ended=self._give_up)
+        self._mouse_tool.begin("section_points", hint, pointed=self._take, ended=self._give_up)
 
     def _take(self, point: PickedPoint) -> None:
         self._ends.append(np.array(point.position))
         if len(self._ends) == 1:
-            self._pointing.hint(gettext(HINTS[1]))
+            self._mouse_tool.hint(gettext(HINTS[1]))
             self._draw(Sketch((point.position,), (), COLOUR, dots=True))
             return
-        self._pointing.end()
+        self._mouse_tool.end()
         self._open()
         self._update()
 

@@ -31,7 +31,7 @@ class SeedActions(QObject):
         window.actions_["seed_list"].triggered.connect(lambda _=False: self.list_seeds())
         window.targets.type_seed.clicked.connect(lambda: self.type_seed())
         window.targets.list_seeds.clicked.connect(lambda: self.list_seeds())
-        window.life.list_dropped.connect(self.list_seeds)
+        window.lifecycle.list_dropped.connect(self.list_seeds)
         for changed in (
             window.document.changed, window.document.survey_changed, window.runner.changed,
         ):  # fmt: skip
@@ -45,14 +45,14 @@ class SeedActions(QObject):
             return
         from lispac.workflow.picking import next_name
 
-        wishes = self._targets.wishes
-        added = wishes.line is not None and wishes.selected is not None
-        name = wishes.selected if added else next_name(project, wishes.role)
+        seed_options = self._targets.seed_options
+        added = seed_options.line is not None and seed_options.selected is not None
+        name = seed_options.selected if added else next_name(project, seed_options.role)
         assert name is not None
-        answer = self._dialogs.seed_at(project, survey.trajectory, wishes, name)
+        answer = self._dialogs.seed_at(project, survey.trajectory, seed_options, name)
         if answer is not None and self._document.project is project:
             named, place = answer
-            self._controller.seek(place, wishes, name="" if added else named)
+            self._controller.seek(place, seed_options, name="" if added else named)
 
     def list_seeds(self, path: Path | None = None) -> None:
         """Show a list of coordinates and search for the ticked targets, as one undo step.
@@ -68,15 +68,17 @@ class SeedActions(QObject):
         path = path or self._dialogs.seed_list_file(project.folder)
         if path is None:
             return
-        wishes = self._targets.wishes
-        seeds = self._dialogs.seed_list(path, project, survey.trajectory, _search_summary(wishes))
+        seed_options = self._targets.seed_options
+        seeds = self._dialogs.seed_list(
+            path, project, survey.trajectory, _search_summary(seed_options)
+        )
         if not seeds or self._document.project is not project:
             return
 
         def work(progress: Progress) -> Picked:
             from lispac.workflow.seed_lists import pick_seeds
 
-            return pick_seeds(project, survey, seeds, wishes.how, progress=progress)
+            return pick_seeds(project, survey, seeds, seed_options.how, progress=progress)
 
         def done(picked: Picked) -> None:
             edited, outcomes = picked
@@ -123,9 +125,9 @@ class SeedActions(QObject):
             self._actions[name].setEnabled(ready)
 
 
-def _search_summary(wishes: SeedOptions) -> str:
+def _search_summary(seed_options: SeedOptions) -> str:
     """How the targets of a list are searched for."""
-    if wishes.shape == "plane":
+    if seed_options.shape == "plane":
         return gettext(
             "Planes are searched for in all lines, with the search radius, the threshold and the "
             "other settings of step 2."

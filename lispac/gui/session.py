@@ -70,9 +70,9 @@ class Session(QObject):
         show_all(window, window.docks)
         window.activateWindow()
         if former is not None:
-            window.designing.take_over(former.designing)
-            designed = in_front is not None and in_front is former.designing.window
-            (window.designing.window if designed else window).activateWindow()
+            window.site_design.take_over(former.site_design)
+            designed = in_front is not None and in_front is former.site_design.window
+            (window.site_design.window if designed else window).activateWindow()
         return window
 
     @property
@@ -107,7 +107,7 @@ class Session(QObject):
         if (
             QApplication.activeModalWidget()
             or QApplication.activePopupWidget()
-            or self.window.designing.workspace.dragging
+            or self.window.site_design.workspace.dragging
         ):
             self._later.start()
         else:
@@ -117,7 +117,7 @@ class Session(QObject):
         """Put a window in the language and looks of the settings in place of this one."""
         former = self.window
         former.keep_layout()
-        former.safekeeping.stop()
+        former.recovery_copies.stop()
         self.window = self._made(former)  # shown before the other goes: the last one ends Qt
         former.retire()
         former.deleteLater()

@@ -24,11 +24,13 @@ class TargetWork(QObject):
         self._document, self._runner = window.document, window.runner
         self._controller, self._dialogs = window.controller, window.dialogs
         self._targets, self._actions = window.targets, window.actions_
-        self.judging = QualityComputation(window.document, window.runner, self)
-        self.judging.judged.connect(window.table.sightings.show_qualities)
-        self.judging.candidate_judged.connect(window.targets.candidate.lights.show_qualities)
+        self.quality_computation = QualityComputation(window.document, window.runner, self)
+        self.quality_computation.judged.connect(window.table.sightings.show_qualities)
+        self.quality_computation.candidate_judged.connect(
+            window.targets.candidate.lights.show_qualities
+        )
         window.controller.candidate_changed.connect(
-            lambda: self.judging.judge_candidate(window.controller.candidate)
+            lambda: self.quality_computation.judge_candidate(window.controller.candidate)
         )
         window.controller.accepted.connect(self._mark)
         self._scene, self._table, self._histograms = window.scene, window.table, window.histograms

@@ -31,21 +31,27 @@ class Tools(QObject):
         super().__init__(window)
         self._window = window
         view, actions, note = window.viewport, window.actions_, window.controller.noted.emit
-        self.pointing = MouseTool(view, actions)
-        self.measuring = Measurements(view, actions, self.pointing, note)
+        self.mouse_tool = MouseTool(view, actions)
+        self.measurements = Measurements(view, actions, self.mouse_tool, note)
         self.sections = Sections(
-            window.document, window.runner, window.scene, view, actions, self.pointing, raise_panel
+            window.document,
+            window.runner,
+            window.scene,
+            view,
+            actions,
+            self.mouse_tool,
+            raise_panel,
         )
-        self.comparing = Curtain(
-            window.document, window.scene, window.computing, view, actions, note
+        self.curtain = Curtain(
+            window.document, window.scene, window.computations, view, actions, note
         )
         self.clipping = Clipping(window.scene, view, actions, raise_panel, note)
-        self.patching = PatchTestController(window, raise_panel)
+        self.patch_test_controller = PatchTestController(window, raise_panel)
         self.lasso = Lasso(
-            window.document, window.scene, view, actions, self.pointing, self.clipping, note,
+            window.document, window.scene, view, actions, self.mouse_tool, self.clipping, note,
             window.controller.refused.emit,
         )  # fmt: skip
-        self.hovering = HoverPreview(
+        self.hover_preview = HoverPreview(
             window.document, window.runner, view, actions, self._preview_settings, window.controller
         )
         self.pictures = Pictures(
@@ -55,8 +61,8 @@ class Tools(QObject):
         self.roles = TargetRoles(
             window.document, window.scene, actions, note, window.controller.refused.emit
         )
-        window.scene.which_changed.connect(lambda _which: self.measuring.restart())
-        window.document.opened.connect(self.pointing.end)
+        window.scene.which_changed.connect(lambda _which: self.measurements.restart())
+        window.document.opened.connect(self.mouse_tool.end)
         window.document.left.connect(self.clipping.reset)
 
     def _preview_settings(self) -> PreviewSettings:
@@ -69,6 +75,6 @@ class Tools(QObject):
         below = Qt.DockWidgetArea.BottomDockWidgetArea
         return {
             SECTION: (self.sections.panel, below),
-            PATCH_TEST: (self.patching.panel, below),
+            PATCH_TEST: (self.patch_test_controller.panel, below),
             CLIPPING: (self.clipping.panel, below),
         }

@@ -135,7 +135,7 @@ class Tour(QObject):
     def start(self) -> None:
         """Open the demo without its targets, and lead through it."""
         window = self._window
-        if window.life.may_leave():
+        if window.lifecycle.may_leave():
             window.controller.open_demo(first=self._begin)
 
     def _begin(self) -> None:

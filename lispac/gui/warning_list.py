@@ -52,8 +52,8 @@ class WarningList(QObject):
         self._gathered.connect(self._show)
         window.document.opened.connect(self._forget)
         window.document.changed.connect(self._watch)
-        window.target_work.judging.judged.connect(self._judged)
-        window.safekeeping.troubled.connect(self._watch)
+        window.target_work.quality_computation.judged.connect(self._judged)
+        window.recovery_copies.troubled.connect(self._watch)
         window.actions_["warnings"].triggered.connect(lambda _=False: self.open())
         self._button.clicked.connect(self.open)
         self._panel.followed.connect(self.follow)
@@ -104,7 +104,7 @@ class WarningList(QObject):
         project, refusal = document.project, document.refusal
         refused_since = document.refused_since
         survey = document.survey if document.survey_is_current else None
-        qualities, storage = self._qualities, self._window.safekeeping.trouble
+        qualities, storage = self._qualities, self._window.recovery_copies.trouble
         stale = self._had_result
         if project is None or document.awaits_result:
             return

@@ -71,7 +71,7 @@ class Heart(Pulse):
     def told(self) -> str:
         """The longest pause, the usual ones, and where the thread was in those that computed."""
         took, computed = np.array(self.beaten).T
-        late = [pause for pause in self.pauses if pause.computing > self.limit]
+        late = [pause for pause in self.pauses if pause.computations > self.limit]
         return (
             f"longest pause {took.max():.0f} ms, longest computing {computed.max():.0f} ms, "
             f"99 % of {len(took)} beats within {np.percentile(took, 99):.0f} ms, "

@@ -123,7 +123,7 @@ def report(folder: Path) -> None:
 
     def rested() -> None:
         viewport._navigator.mouse.rotated.emit(3.0, 0.0)
-        viewport._detailing.now(viewport._refining(viewport._pace.resting))
+        viewport._view_detail.now(viewport._refining(viewport._pace.resting))
         viewport.canvas.grabFramebuffer()
 
     viewport.fit()
@@ -131,10 +131,10 @@ def report(folder: Path) -> None:
     print(f"  frame while moving {timed(moved, 21)}")
     print(f"  picture at rest {timed(rested, 5)}")
     window.actions_["hover"].trigger()
-    until(lambda: viewport._sketching.hovering and not window.runner.active)
-    viewport._sketching._spot = tuple(viewport.to_pixels(middle[None])[0])
+    until(lambda: viewport._sketch_layer.hover_preview and not window.runner.active)
+    viewport._sketch_layer._spot = tuple(viewport.to_pixels(middle[None])[0])
     print(f"  hover preview {timed(viewport._sketching._look, 21)}")
-    assert "hover" in viewport._sketching._sketches
+    assert "hover" in viewport._sketch_layer._sketches
     assert open_project(folder).lines
     window.close()
 

@@ -175,7 +175,7 @@ class Hands(Driver):
         """Close the window without a question, and see that nothing of it is left."""
         self.window = self.session.window
         self.window.document.undo_stack.setClean()
-        self.window.designing.workspace.history.keep()
+        self.window.site_design.workspace.history.keep()
         try:
             super().leave()
         finally:

@@ -18,7 +18,7 @@ NoModifier = Qt.KeyboardModifier.NoModifier
 def opened_by_keys(driver: Driver) -> DesignWindow:
     """The workspace; it closes with the window."""
     driver.bot.keyClick(driver.window, Key.Key_D, Control | Shift)
-    window = driver.window.designing.window
+    window = driver.window.site_design.window
     assert window is not None
     driver.bot.waitUntil(window.isActiveWindow, timeout=WAIT_MS)
     return window
@@ -47,7 +47,7 @@ def foretold(design: DesignWindow) -> list[float]:
 
 def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifier) -> list[str]:
     """Drag as a mouse does; what the sigma of roll was on the way."""
-    design = driver.window.designing.window
+    design = driver.window.site_design.window
     first, last = start.toPoint(), stop.toPoint()
     seen = []
     driver.bot.mousePress(view, Left, pos=first)
@@ -69,7 +69,7 @@ def mouse_move(view, at: QPointF, modifier):
 
 
 def settled(driver: Driver) -> None:
-    runner = driver.window.designing.runner
+    runner = driver.window.site_design.runner
     driver.bot.waitUntil(lambda: not runner.active, timeout=WAIT_MS)
 
 

@@ -145,9 +145,9 @@ class Monkey(QObject):
             made = any("_made" in place or "session.py" in place for place in pause.places)
             if made or self.session.window is not self._window:
                 self.seen.renewed.append(text)
-            elif pause.computing > STALL_MS:
+            elif pause.computations > STALL_MS:
                 self.seen.stalls.append(text)
-                self.seen.computing_ms.append(pause.computing)
+                self.seen.computing_ms.append(pause.computations)
             else:
                 self.seen.drawn.append(text)
             self._diary.write(f"--- {text}\n")
@@ -238,7 +238,7 @@ class Monkey(QObject):
 
     def _runners(self) -> list[Any]:
         window = self.session.window
-        return [window.runner, window.designing.runner, window.designing.paper]
+        return [window.runner, window.site_design.runner, window.site_design.paper]
 
     @staticmethod
     def _waits() -> bool:
@@ -268,7 +268,7 @@ class Monkey(QObject):
         """Bring the program to where memory is compared: a project, estimated and validated."""
         faulthandler.dump_traceback_later(HANGS_S, exit=True)
         window = self.session.window
-        if (design := window.designing.window) is not None:
+        if (design := window.site_design.window) is not None:
             design.hide()
         window.document.open(None, None)
         window.open_project(project)

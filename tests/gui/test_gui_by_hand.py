@@ -99,13 +99,13 @@ def test_files_dropped_on_the_start_page_become_a_project(
         hands.bot.mouseClick(dialog.ok, Left)
         return True
 
-    assert hands.window.stage.start.isVisible()
+    assert hands.window.central_widget.start.isVisible()
     hands.answers.foresee(ImportDialog, act)
     drop(hands.window, raw(demo))
     hands.until(lambda: hands.window.document.project is not None)
     hands.rest()
     hands.answered()
-    assert not hands.window.stage.start.isVisible()
+    assert not hands.window.central_widget.start.isVisible()
     kept = open_project(made)
     assert [line.name for line in kept.lines] == [line.name for line in demo.project.lines]
     assert kept.trajectory.name == "trajectory.sbet"

@@ -26,7 +26,7 @@ def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()
     assert panel.more.fold.head.text() == "More"
-    assert panel.wishes.choices == USUAL
+    assert panel.seed_options.choices == USUAL
     unfold(opened, panel, "seed_more")
     type_into(opened, field(panel, "seed_min_points"), "50")
     type_into(opened, field(panel, "seed_max_tilt"), "8")

@@ -26,7 +26,7 @@ def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
     """Choose in the main window, and go on in those that come; the hands refuse every question."""
     choose(hands.bot, open_menu(hands.bot, hands.window, menu), *entries)
     hands.to_next_window()
-    design = hands.window.designing.window
+    design = hands.window.site_design.window
     assert design is not None
     assert design.isVisible()
     hands.until(lambda: in_front(design))
@@ -115,5 +115,5 @@ def test_a_plan_whose_window_is_closed_stays_too(hands: Hands) -> None:
     design.close()
     choose(hands.bot, open_menu(hands.bot, hands.window, "View"), "heme", "Dark")
     hands.to_next_window()
-    assert not hands.window.designing.window.isVisible()
+    assert not hands.window.site_design.window.isVisible()
     assert opened_by_keys(hands).workspace.titled is edited

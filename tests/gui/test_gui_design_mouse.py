@@ -125,7 +125,7 @@ def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
     design = in_3d(real)
     work, viewport = design.workspace, design.view3d.viewport
     before = edits.hung(work.titled)[0]
-    start = pixel(design, viewport._sketching._sketches["target 0"].handles[1].position)
+    start = pixel(design, viewport._sketch_layer._sketches["target 0"].handles[1].position)
     aim = np.array(plan(design).targets[0].centre) + [0.0, 0.0, 2.0]
     by = pixel(design, aim) - pixel(design, plan(design).targets[0].centre)
 

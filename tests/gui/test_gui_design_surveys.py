@@ -92,7 +92,7 @@ def test_simulated_surveys_say_what_the_command_line_says(
 def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     driver: Driver, coarse: DesignWindow
 ) -> None:
-    surveys, runner = coarse.surveys, driver.window.designing.runner
+    surveys, runner = coarse.surveys, driver.window.site_design.runner
     driver.bot.keyClicks(surveys.surveys, "5000")
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.waitUntil(lambda: runner.current.fraction * 5000 >= 40, timeout=WAIT_MS)
@@ -153,7 +153,7 @@ def test_a_plan_that_cannot_be_adjusted_is_refused(driver: Driver, coarse: Desig
 
 def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWindow) -> None:
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
-    runner = driver.window.designing.runner
+    runner = driver.window.site_design.runner
     driver.bot.waitUntil(lambda: runner.current.fraction > 0, timeout=WAIT_MS)
     driver.dialogs.answer = "discard"
     driver.bot.keyClick(coarse, Key.Key_W, Control)

@@ -65,7 +65,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
     driver: Driver, design: DesignWindow
 ) -> None:
     design.tabs.setCurrentWidget(design.search)
-    before, runner = design.workspace.titled, driver.window.designing.runner
+    before, runner = design.workspace.titled, driver.window.site_design.runner
     design.search.plans.setValue(500)
     click(driver, design.search.find)
     driver.bot.waitUntil(

@@ -232,7 +232,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
         )
 
     monkeypatch.setattr("lispac.workflow.calibration.advice", advised)
-    monkeypatch.setattr(shown.window.estimating, "_wants_checks", checked)
+    monkeypatch.setattr(shown.window.estimation, "_wants_checks", checked)
     shown.window.docks["Targets by lines"].raise_()
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))

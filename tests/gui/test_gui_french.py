@@ -115,7 +115,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
         CheckDialog(estimated, track, window),
         FindAgainDialog(estimated.target("T1"), window),
         IdentityDialog(estimated.identity, str, window),
-        SeedDialog(estimated, track, window.targets.wishes, "T9", window),
+        SeedDialog(estimated, track, window.targets.seed_options, "T9", window),
         *(
             ExportDialog(what, "estimated", estimated, track, window)
             for what in ("lines", "targets", "planes", "trajectory")

@@ -162,7 +162,7 @@ def test_dropped_files_are_a_project_in_the_window_at_the_end(
 ) -> None:
     dialogs = RealImport(tmp_path / "made")
     dialogs.parent = driver.window
-    driver.window.life._dialogs = dialogs
+    driver.window.lifecycle._dialogs = dialogs
     drop(driver.window, raw(demo))
     driver.bot.waitUntil(lambda: driver.window.document.project is not None, timeout=WAIT_MS)
     driver.rest()

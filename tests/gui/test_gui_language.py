@@ -46,14 +46,14 @@ def test_the_tour_goes_on_in_another_language(
 ) -> None:
     monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
     english = session.window
-    qtbot.mouseClick(english.stage.start.ways["tour"], Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(english.central_widget.start.ways["tour"], Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: english.tour.on and not english.runner.active, timeout=SOON_MS)
     choose(qtbot, open_menu(qtbot, english, "View"), "Langue", "ran")
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
     french = session.window
     assert french.tour.on
-    assert french.stage.card.isVisible()
-    assert french.stage.card.head.text() == "Visite, étape 1 sur 7"
+    assert french.central_widget.card.isVisible()
+    assert french.central_widget.card.head.text() == "Visite, étape 1 sur 7"
 
 
 def test_the_language_changes_and_nothing_is_lost(
@@ -242,13 +242,13 @@ def test_a_report_is_in_the_language_of_the_window_until_another_is_chosen(
 def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: QtBot) -> None:
     """A search that is cancelled looks at its flag now and then: the window would stand still."""
     former = session.window
-    former.designing.open()
+    former.site_design.open()
     goes_on, ended = threading.Event(), []
 
     def work(_progress: Progress) -> None:
         goes_on.wait(20)
 
-    former.designing.runner.run("Finding the best plan", work, ended.append)
+    former.site_design.runner.run("Finding the best plan", work, ended.append)
     former.settings.language = "fr"
     former.renew()
     qtbot.wait(200)

@@ -15,7 +15,7 @@ from tests.gui.support import Driver
 def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_path: Path) -> None:
     before = adjusted.project.result
     asked = replace(adjusted.project.settings, surface=-1.0)
-    adjusted.window.estimating.estimate(asked, False)
+    adjusted.window.estimation.estimate(asked, False)
     adjusted.rest()
     assert adjusted.project.result is before
     [refusal] = map(str, adjusted.dialogs.errors)
@@ -37,7 +37,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
 
     adjusted.window.controller.rename("T1", "North wall")  # the result stays, and so does this
     assert words in unescape(adjusted.window.results.warnings.text())
-    adjusted.window.estimating.estimate(adjusted.project.settings, False)
+    adjusted.window.estimation.estimate(adjusted.project.settings, False)
     adjusted.rest()
     assert adjusted.project.result is not before
     assert adjusted.window.document.refused_since == ""

@@ -13,7 +13,7 @@ ROLL, PITCH, YAW = range(3)
 
 
 def panel(driver: Driver) -> PatchTestPanel:
-    return driver.window.tools.patching.panel
+    return driver.window.tools.patch_test_controller.panel
 
 
 def opened_panel(driver: Driver) -> PatchTestPanel:
@@ -25,8 +25,8 @@ def opened_panel(driver: Driver) -> PatchTestPanel:
 
 def follow(driver: Driver) -> None:
     """Wait until the curve is that of the angles as they are."""
-    patching = driver.window.tools.patching
-    driver.bot.waitUntil(lambda: not patching.waits, timeout=60_000)
+    patch_test_controller = driver.window.tools.patch_test_controller
+    driver.bot.waitUntil(lambda: not patch_test_controller.waits, timeout=60_000)
     driver.rest()
 
 
@@ -72,7 +72,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert shown.objects.count() > 10
     click(opened, shown.all)
     opened.rest()
-    answer = window.tools.patching.answer
+    answer = window.tools.patch_test_controller.answer
     assert answer is not None
     assert answer.sigma is not None
     assert "found" in shown.angles.found[PITCH].text()

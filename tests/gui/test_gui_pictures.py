@@ -152,17 +152,17 @@ def test_arrows_and_pages_move_the_view(viewport) -> None:
     assert viewport.camera.distance == pytest.approx(0.85 * far, rel=0.3)
     assert viewport.camera.distance < far
     QTest.keyClick(canvas, Key.Key_PageDown)
-    assert viewport._detailing.is_due, "the detail follows"
+    assert viewport._view_detail.is_due, "the detail follows"
 
 
 def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> None:
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
-    assert viewport._sketching.share == 0.5
+    assert viewport._sketch_layer.share == 0.5
     viewport.show_beside(clouds)
     QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
-    assert viewport._sketching.share == pytest.approx(0.5 - 24 / viewport.canvas.width())
+    assert viewport._sketch_layer.share == pytest.approx(0.5 - 24 / viewport.canvas.width())
 
 
 def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:

@@ -245,7 +245,7 @@ def test_an_edit_while_the_pictures_are_taken_ends_the_report(
     adjusted: Driver, tmp_path: Path
 ) -> None:
     open_step(adjusted, REPORT)
-    adjusted.window.computing.show("estimated")
+    adjusted.window.computations.show("estimated")
     adjusted.rest()
     adjusted.dialogs.path = tmp_path / "r.html"
     taken = adjusted.viewport.picture
@@ -269,7 +269,7 @@ def test_pictures_that_are_cancelled_leave_the_view_as_it_was(
 ) -> None:
     open_step(adjusted, REPORT)
     scene, taken = adjusted.window.scene, adjusted.viewport.picture
-    adjusted.window.computing.show(shown)
+    adjusted.window.computations.show(shown)
     adjusted.rest()
     adjusted.window.actions_["colour_residual"].trigger()
     adjusted.rest()

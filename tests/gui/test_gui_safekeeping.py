@@ -103,8 +103,8 @@ def test_a_project_open_twice_is_noticed(
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
-    assert other.window.safekeeping.trouble == ELSEWHERE, "for as long as it has no protection"
-    assert driver.window.safekeeping.trouble is None
+    assert other.window.recovery_copies.trouble == ELSEWHERE, "for as long as it has no protection"
+    assert driver.window.recovery_copies.trouble is None
     kept = read_unsaved(folder)
     assert kept is not None
     assert "North wall" in names(kept), "the first window's work, with its points"
@@ -166,7 +166,7 @@ def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> N
     driver.bot.waitUntil(
         lambda: "recovery copy" in driver.window.log.toPlainText(), timeout=WAIT_MS
     )
-    trouble = driver.window.safekeeping.trouble
+    trouble = driver.window.recovery_copies.trouble
     assert trouble is not None
     assert trouble.code == "window.unsaved_work_not_kept"
     assert driver.dialogs.errors == []
@@ -179,12 +179,12 @@ def test_what_could_not_be_kept_once_is_kept_as_soon_as_it_can(
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()
     driver.window.controller.rename("T1", "North wall")
-    driver.bot.waitUntil(lambda: driver.window.safekeeping.trouble is not None, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.trouble is not None, timeout=WAIT_MS)
     (folder / UNSAVED_NAME / "held").unlink()
     (folder / UNSAVED_NAME).rmdir()
     driver.window.controller.rename("T2", "South wall")
     driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).is_file(), timeout=5000)
-    driver.bot.waitUntil(lambda: driver.window.safekeeping.trouble is None, timeout=5000)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.trouble is None, timeout=5000)
 
 
 def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
@@ -194,7 +194,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
     away = folder.with_name("renamed")
     folder.rename(away)
     driver.window.controller.rename("T1", "North wall")
-    driver.bot.waitUntil(lambda: driver.window.safekeeping.trouble is not None, timeout=5000)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.trouble is not None, timeout=5000)
     driver.window.activateWindow()
     press(driver, Key.Key_S, Control)
     driver.bot.waitUntil(lambda: driver.dialogs.errors != [], timeout=5000)
@@ -207,7 +207,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
     driver.bot.waitUntil(lambda: not driver.window.isWindowModified(), timeout=5000)
     assert "North wall" in names(read_project(folder))
     assert driver.dialogs.safety == [], "nobody else wrote it"
-    assert driver.window.safekeeping.trouble is None
+    assert driver.window.recovery_copies.trouble is None
 
 
 def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:

@@ -184,7 +184,7 @@ def test_nothing_found_changes_nothing(opened: Driver, tmp_path: Path) -> None:
         opened.bot.keyClick(dialog, Key.Key_Return)
 
     both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
-    opened.window.life.list_dropped.emit(path)
+    opened.window.lifecycle.list_dropped.emit(path)
     opened.rest()
     assert told == ["No target was found at the seed."]
     assert opened.project is before

@@ -37,7 +37,7 @@ def small(
 
 
 def test_the_patch_test_needs_no_scrolling_to_the_side(small: Driver) -> None:
-    window, panel = small.window, small.window.tools.patching.panel
+    window, panel = small.window, small.window.tools.patch_test_controller.panel
     press(small, Key.Key_T, Control)
     panel.show_objects(["O1", "O2"], (), "O1")
     panel.angles.show_found([0.01] * 3, [0.001] * 3)

@@ -20,14 +20,14 @@ DAY = datetime(2026, 3, 7, 9, 5).timestamp()
 
 
 def links(window: MainWindow, name: str) -> list[QCommandLinkButton]:
-    return window.stage.start.findChildren(QCommandLinkButton, name)
+    return window.central_widget.start.findChildren(QCommandLinkButton, name)
 
 
 def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_path: Path) -> None:
     window = driver.window
     window.settings.add_recent(tmp_path / "gone")
     window.settings.add_recent(demo_copy)
-    window.showing.refresh()
+    window.panel_refresh.refresh()
     driver.bot.waitUntil(lambda: len(links(window, "start_recent")) == 2, timeout=WAIT_MS)
     known, gone = links(window, "start_recent")
     assert (known.text(), known.isEnabled()) == (demo_copy.name, True)
@@ -37,7 +37,7 @@ def test_recent_projects_are_a_click_away(driver: Driver, demo_copy: Path, tmp_p
     driver.bot.waitUntil(lambda: window.document.project is not None, timeout=WAIT_MS)
     driver.rest()
     assert driver.project.folder == demo_copy
-    assert not window.stage.start.isVisible()
+    assert not window.central_widget.start.isVisible()
     assert window.viewport.widget.isVisible()
 
 
@@ -48,7 +48,7 @@ def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_c
     for code, said in (("en", "Saved 2026-03-07 09:05 in"), ("fr", "07/03/2026 09:05 dans")):
         set_language(code)
         try:
-            window.stage.start.show_recent(window.settings.recent())
+            window.central_widget.start.show_recent(window.settings.recent())
         finally:
             set_language("en")
         (known, *_) = [
@@ -58,7 +58,7 @@ def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_c
 
 
 def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
-    for name, way in driver.window.stage.start.ways.items():
+    for name, way in driver.window.central_widget.start.ways.items():
         assert driver.window.actions_[name].isEnabled(), name
         assert way.isVisible()
         assert way.description()
@@ -75,7 +75,7 @@ def test_every_way_to_begin_is_in_sight_on_a_low_screen(
     finally:
         set_language("en")
     driver.bot.addWidget(page)
-    page.resize(driver.window.stage.start.size())
+    page.resize(driver.window.central_widget.start.size())
     page.show()
     for name, way in page.ways.items():
         assert (
@@ -95,10 +95,10 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
 @pytest.mark.long  # by mouse and keyboard alone: `test_gui_tour_by_hand`
 def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
     window = driver.window
-    driver.bot.mouseClick(window.stage.start.ways["tour"], Qt.MouseButton.LeftButton)
+    driver.bot.mouseClick(window.central_widget.start.ways["tour"], Qt.MouseButton.LeftButton)
     driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
     driver.rest()
-    card = window.stage.card
+    card = window.central_widget.card
     assert card.isVisible()
 
     def at(step: int) -> None:
@@ -139,8 +139,8 @@ def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Pa
 def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
     driver: Driver, at_the_demo: Path
 ) -> None:
-    window, card = driver.window, driver.window.stage.card
-    click(driver, window.stage.start.ways["tour"])
+    window, card = driver.window, driver.window.central_widget.card
+    click(driver, window.central_widget.start.ways["tour"])
     driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
     driver.rest()
     seed(driver, "T1")
@@ -162,7 +162,7 @@ def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> Non
     driver.rest()
     driver.window.open_project(at_the_demo)
     driver.bot.waitUntil(lambda: not driver.window.tour.on, timeout=WAIT_MS)
-    assert not driver.window.stage.card.isVisible()
+    assert not driver.window.central_widget.card.isVisible()
     driver.rest()
 
 
@@ -170,7 +170,7 @@ def test_a_tour_that_was_cancelled_leaves_the_next_project_its_targets(
     driver: Driver, at_the_demo: Path, picked_folder: Path
 ) -> None:
     window = driver.window
-    click(driver, window.stage.start.ways["tour"])
+    click(driver, window.central_widget.start.ways["tour"])
     click(driver, window.task_bar.cancel)
     driver.rest()
     assert window.document.project is None

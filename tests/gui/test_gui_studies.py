@@ -255,7 +255,7 @@ def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
 
 
 def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
-    adjusted.window.computing.show("estimated")
+    adjusted.window.computations.show("estimated")
     adjusted.rest()
     project = adjusted.project
 

@@ -62,7 +62,7 @@ def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy:
     window = driver.window
     for folder in (demo_copy, demo_copy.parent / "gone"):
         window.settings.add_recent(folder)
-    page = window.stage.start
+    page = window.central_widget.start
     page.show_recent(window.settings.recent())
     driver.bot.waitUntil(
         lambda: all(each.isVisible() for each in page.findChildren(QWidget, "start_recent")),
@@ -78,14 +78,14 @@ def test_a_frame_tells_that_the_view_has_the_focus(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport.widget
     view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # one that only records takes none
     window.workflow.headers[0].setFocus()
-    without = window.stage.grab().toImage()
+    without = window.central_widget.grab().toImage()
     view.setFocus()
-    with_focus = window.stage.grab().toImage()
+    with_focus = window.central_widget.grab().toImage()
     accent = theme.colour("accent").rgb()
     assert without.pixel(0, without.height() - 1) != accent
     assert with_focus.pixel(0, without.height() - 1) == accent
     window.workflow.headers[0].setFocus()
-    assert window.stage.grab().toImage() == without
+    assert window.central_widget.grab().toImage() == without
 
 
 def test_a_dock_is_gone_through_in_front_only(driver: Driver) -> None:

@@ -184,8 +184,8 @@ def test_the_design_window_follows_the_system_and_stays_in_front(
 ) -> None:
     change(session, qtbot, "System default")
     window, other = session.window, not theme.scheme().dark
-    window.designing.open()
-    design = window.designing.window
+    window.site_design.open()
+    design = window.site_design.window
     qtbot.waitUntil(lambda: in_front(design), timeout=SOON_MS)
     monkeypatch.setattr(theme, "system_is_dark", lambda _application: other)
     design.workspace.drag(edits.usual(90.0))
@@ -194,7 +194,7 @@ def test_the_design_window_follows_the_system_and_stays_in_front(
     assert session.window is window  # nothing goes from under a drag
     design.workspace.give_up()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
-    heir = session.window.designing.window
+    heir = session.window.site_design.window
     qtbot.waitUntil(heir.isActiveWindow, timeout=SOON_MS)
     assert theme.scheme() is (DARK if other else LIGHT)
 

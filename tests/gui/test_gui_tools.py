@@ -108,7 +108,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window._select("V1", "")
     adjusted.rest()
     assert panel.through.text() == "Across V1"
-    window.computing.show("estimated")
+    window.computations.show("estimated")
     adjusted.rest()
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == frame_of(cuts[1].section)
@@ -247,7 +247,7 @@ def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
     assert len(view.box.inside(points)) == len(points)
     assert not len(box.inside(points))
     assert window.task_bar.currentMessage() == "The clip box hid T2 and was moved around it."
-    window.cautioning.follow(Cause.of_line(picked.project.lines[1].name))
+    window.warning_list.follow(Cause.of_line(picked.project.lines[1].name))
     sample = window.scene.clouds[picked.project.lines[1].name].sample[::50]
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
 
@@ -280,10 +280,10 @@ def test_nothing_to_compare_is_said(picked: Driver) -> None:
 
 def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
-    assert not view.hovering
+    assert not view.hover_preview
     press(picked, Key.Key_H)
     picked.rest()
-    assert view.hovering
+    assert view.hover_preview
     sighting = picked.project.target("T1").sightings[0]
     board = window.scene.clouds[sighting.line][sighting.indices]
     north, west, up = (float(v) for v in board[np.argmin(np.linalg.norm(
@@ -313,4 +313,4 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
     view.signals.hovered.emit(there)
     assert "hover" in view.sketches
     press(picked, Key.Key_H)
-    assert not view.hovering
+    assert not view.hover_preview

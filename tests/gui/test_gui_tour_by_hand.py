@@ -26,7 +26,7 @@ def test_the_tour_from_the_start_page_to_its_end(
     hands: Hands, demo_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
-    start, card = hands.window.stage.start, hands.window.stage.card
+    start, card = hands.window.central_widget.start, hands.window.central_widget.card
 
     def at(step: int) -> None:
         hands.until(lambda: card.head.text() == f"Tour, step {step} of {len(STEPS)}")

@@ -322,7 +322,7 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
     for system in range(window.convention.system.count()):
         window.convention.system.setCurrentIndex(system)
     window.actions_["design"].trigger()
-    design = window.designing.window
+    design = window.site_design.window
     for tabs in (design.tabs, design.views):
         for page in range(tabs.count()):
             tabs.setCurrentIndex(page)
@@ -335,7 +335,7 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
     }
     assert {name: said for name, said in left.items() if said} == {}
     assert design.close()
-    assert window.designing.leave()
+    assert window.site_design.leave()
 
 
 @pytest.mark.parametrize(

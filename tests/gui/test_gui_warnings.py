@@ -26,7 +26,7 @@ STALE = note("project.out_of_date", subject=Cause.of_step("Adjust"))
 def listed(driver: Driver) -> tuple[Message, ...]:
     """The messages of the list once it is that of the project."""
     driver.rest()
-    driver.bot.waitUntil(lambda: driver.window.cautioning.is_current, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: driver.window.warning_list.is_current, timeout=WAIT_MS)
     panel = driver.window.warnings
     driver.bot.waitUntil(lambda: panel.is_filled, timeout=WAIT_MS)
     texts = [panel.list.item(row).text() for row in range(panel.list.count())]
@@ -182,23 +182,23 @@ def test_what_is_folded_away_is_unfolded(
 ) -> None:
     panel = adjusted.window.adjust
     assert isinstance(panel, AdjustPanel)
-    adjusted.window.cautioning.follow(cause)
+    adjusted.window.warning_list.follow(cause)
     assert adjusted.window.workflow.opened == step
     assert has_focus(focused(panel))
 
 
 def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
-    adjusted.window.cautioning.follow(Cause.of_page("Cross-checks"))
+    adjusted.window.warning_list.follow(Cause.of_page("Cross-checks"))
     assert in_front(adjusted, "Diagnostics")
     assert adjusted.window.diagnostics.current.title == "Cross-checks"
-    adjusted.window.cautioning.follow(Cause("result"))
+    adjusted.window.warning_list.follow(Cause("result"))
     assert in_front(adjusted, "Results")
     assert has_focus(adjusted.window.results.angles)
 
 
 def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
     before = QApplication.focusWidget()
-    adjusted.window.cautioning.follow(Cause.of_sighting("gone", "nowhere"))
+    adjusted.window.warning_list.follow(Cause.of_sighting("gone", "nowhere"))
     assert QApplication.focusWidget() is before
 
 
@@ -257,7 +257,7 @@ def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
 
 
 def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
-    picked.window.safekeeping._cannot_keep(OSError("The disk is full"))
+    picked.window.recovery_copies._cannot_keep(OSError("The disk is full"))
     (found,) = [each for each in listed(picked) if each.code == "project.storage"]
     assert "The disk is full" in message_text(found)
     assert found.level is Level.WARNING
@@ -284,9 +284,9 @@ def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) ->
 
     listed(adjusted)
     monkeypatch.setattr(warning_list, "warnings_of", slow)
-    adjusted.window.cautioning._watch()
+    adjusted.window.warning_list._watch()
     longest, started = 0.0, time.perf_counter()
-    while not adjusted.window.cautioning.is_current:
+    while not adjusted.window.warning_list.is_current:
         before = time.perf_counter()
         QApplication.processEvents()
         longest = max(longest, time.perf_counter() - before)

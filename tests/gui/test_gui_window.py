@@ -331,7 +331,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     picked.window.document.undo_stack.undo()
     picked.rest()
     assert picked.window.validate.model == SIX_POINT_PLANE
-    assert picked.window.computing.distance_to == SIX_POINT_PLANE
+    assert picked.window.computations.distance_to == SIX_POINT_PLANE
     picked.window.document.undo_stack.redo()
     picked.rest()
     assert picked.window.validate.model == LocalModel("quadric", 12)

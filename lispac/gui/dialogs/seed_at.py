@@ -47,7 +47,7 @@ class SeedDialog(QDialog):
         self,
         project: Project,
         trajectory: LocalTrajectory,
-        wishes: SeedOptions,
+        seed_options: SeedOptions,
         name: str,
         parent: QWidget | None = None,
     ) -> None:
@@ -55,15 +55,15 @@ class SeedDialog(QDialog):
         self.setObjectName("seed_dialog")
         self.setWindowTitle(gettext("Seed at coordinates"))
         self.setMinimumWidth(530)
-        self._project, self._trajectory, self._wishes = project, trajectory, wishes
+        self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None
         layout = widgets.column(self, 16)
-        layout.addWidget(widgets.label(_introduction(wishes), wrap=True))
+        layout.addWidget(widgets.label(_introduction(seed_options), wrap=True))
         self.name = QLineEdit(name)
         self.name.setObjectName("seed_name")
         self.name.setToolTip(gettext("Name of the new target"))
         # A sighting added to the selected target, whose name stays.
-        self._added = wishes.line is not None and name == wishes.selected
+        self._added = seed_options.line is not None and name == seed_options.selected
         self.name.setEnabled(not self._added)
         self.choice = SystemChoice(project, trajectory, "seed", self)
         self.fields = tuple(_field(f"seed_coordinate_{k}") for k in range(3))
@@ -184,13 +184,13 @@ class SeedDialog(QDialog):
         return " ".join([text, *map(message_text, system.assumptions)])
 
 
-def _introduction(wishes: SeedOptions) -> str:
+def _introduction(seed_options: SeedOptions) -> str:
     """What the dialogue does with the seed."""
-    kind = wishes.shape if wishes.role == "target" else "validation"
-    if wishes.line is None:
+    kind = seed_options.shape if seed_options.role == "target" else "validation"
+    if seed_options.line is None:
         first = gettext(ON_ALL_LINES[kind])
     else:
-        first = gettext(ON_ONE_LINE[kind], line=wishes.line)
+        first = gettext(ON_ONE_LINE[kind], line=seed_options.line)
     second = gettext(
         "The settings of step 2 apply (search radius, threshold and others). The result is shown "
         "before it is added."

@@ -305,10 +305,10 @@ class Dialogs(Questions):
         return answer
 
     def seed_at(
-        self, project: Project, trajectory: LocalTrajectory, wishes: SeedOptions, name: str
+        self, project: Project, trajectory: LocalTrajectory, seed_options: SeedOptions, name: str
     ) -> tuple[str, Triple] | None:
         """Name and place of a typed seed; ``name`` is proposed."""
-        dialog = SeedDialog(project, trajectory, wishes, name, self.parent)
+        dialog = SeedDialog(project, trajectory, seed_options, name, self.parent)
         answer = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return answer

@@ -108,7 +108,7 @@ class TargetsPanel(QWidget):
         return self._expected.value if self.shape == "plane" else None
 
     @property
-    def wishes(self) -> SeedOptions:
+    def seed_options(self) -> SeedOptions:
         """All options of the next seed."""
         return SeedOptions(
             self.role, self.line, self.current, self.threshold, self.radius, self.shape,

@@ -68,7 +68,7 @@ class VtkViewport:
         self._beside: Layer | None = None
         self._box: Box | None = None
         self._hidden: set[str] = set()
-        self._highlighting = Highlights(self._renderer)
+        self._highlight_layer = Highlights(self._renderer)
         self._point_size = 2
         self._closed = False
         self._detailed = False
@@ -79,19 +79,19 @@ class VtkViewport:
             self.canvas.ren_win.AddObserver(event, slot)
             for event, slot in (("StartEvent", self._on_frame), ("EndEvent", self._on_framed))
         ]
-        self._detailing = ViewDetail(
+        self._view_detail = ViewDetail(
             self._stage, lambda: self._refining(self._pace.resting), self._put_detail
         )
         self._stage.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)
-        self._navigator.settled.connect(self._detailing.later)
+        self._navigator.settled.connect(self._view_detail.later)
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
-        self._sketching = Sketches(self._navigator, self._overlay, self.signals)
+        self._sketch_layer = Sketches(self._navigator, self._overlay, self.signals)
         self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
-        self._sketching.divided.connect(self._camera_moved)
+        self._sketch_layer.divided.connect(self._camera_moved)
 
     # What the window asks
 
@@ -123,7 +123,7 @@ class VtkViewport:
             self._layer.origin = common_origin(self._layer.clouds)
         self._draw_clouds()
         if first:
-            self.show_highlights(self._highlighting.highlights)  # from the new origin
+            self.show_highlights(self._highlight_layer.highlights)  # from the new origin
             self.view("isometric")
 
     def set_line_visible(self, line: str, visible: bool) -> None:
@@ -140,7 +140,7 @@ class VtkViewport:
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the clouds; replaces those shown."""
         layer = self._layer
-        self._highlighting.put(highlights, layer.origin, self._box, layer.half)
+        self._highlight_layer.put(highlights, layer.origin, self._box, layer.half)
         self._style_points()
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
@@ -152,7 +152,7 @@ class VtkViewport:
         """Draw only what lies in a box, or everything."""
         self._box = box
         self._draw_clouds()
-        self.show_highlights(self._highlighting.highlights)
+        self.show_highlights(self._highlight_layer.highlights)
 
     def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
         """Draw the lines as they lie otherwise on the left of a line that the mouse moves.
@@ -165,18 +165,18 @@ class VtkViewport:
             self._beside.remove()
         self._beside = None
         self._layer.half = None
-        self._sketching.divide(clouds is not None)
+        self._sketch_layer.divide(clouds is not None)
         if clouds is not None:
             self._beside = Layer(self._renderer)
             self._beside.origin = self._layer.origin
             self._layer.half, self._beside.half = half_space(), half_space()
             self._beside.put(clouds, self._layer.colours, self._layer.shading)
         self._draw_clouds()
-        self.show_highlights(self._highlighting.highlights)
+        self.show_highlights(self._highlight_layer.highlights)
 
     def select(self, key: tuple[str, str] | None) -> None:
         """Emphasise one sighting, (target, line), and grey the others of its target."""
-        self._highlighting.selected = key
+        self._highlight_layer.selected = key
         self._style_points()
 
     def set_station(self, position: tuple[float, float, float]) -> None:
@@ -212,8 +212,8 @@ class VtkViewport:
     def set_hovering(self, hovering: bool) -> None:
         """Tell what is under the resting mouse, or not."""
         if not hovering:
-            self._sketching.rest()
-        self._sketching.hovering = hovering
+            self._sketch_layer.rest()
+        self._sketch_layer.hovering = hovering
 
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Those of a line's points that are drawn now and lie within a sphere, shape (n, 3)."""
@@ -223,7 +223,7 @@ class VtkViewport:
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
         """Draw something over the picture, or take it away."""
-        self._sketching.show(name, sketch)
+        self._sketch_layer.show(name, sketch)
 
     def set_point_size(self, pixels: int) -> None:
         """Size of the drawn points."""
@@ -240,7 +240,7 @@ class VtkViewport:
 
     def prepare(self) -> None:
         """Show all the detail of a picture, which then only needs to be drawn."""
-        self._detailing.now(self._refining(self._pace.picture))
+        self._view_detail.now(self._refining(self._pace.picture))
 
     def picture(self) -> QImage:
         """What is shown, with all its detail and what is written over it but the mouse's help."""
@@ -249,17 +249,17 @@ class VtkViewport:
         painter = QPainter(image)
         self._overlay.paint(painter)
         painter.end()
-        self._detailing.later()  # with as many points as can be drawn again and again
+        self._view_detail.later()  # with as many points as can be drawn again and again
         return image
 
     def clear(self) -> None:
         """Show nothing."""
         self._navigator.release()
-        self._sketching.clear()
+        self._sketch_layer.clear()
         self._box = None
         self.show_beside(None)
         self._hidden.clear()
-        self._highlighting.selected = None
+        self._highlight_layer.selected = None
         self._overlay.markers = ()
         self._overlay.shading = None
         self._layer.put({}, {})
@@ -277,13 +277,13 @@ class VtkViewport:
         self._closed = True
         for observer in self._observers:
             self.canvas.ren_win.RemoveObserver(observer)
-        self._detailing.stop()
-        self._sketching.clear()
+        self._view_detail.stop()
+        self._sketch_layer.clear()
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
         for layer in self._layers:
             layer.forget()
-        self._highlighting.forget()
+        self._highlight_layer.forget()
         self.canvas.close()
 
     # Drawing
@@ -296,18 +296,18 @@ class VtkViewport:
         self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
         self._detailed = False
         self._style_points()
-        self._detailing.later()
+        self._view_detail.later()
 
     def _style_points(self) -> None:
         scale = self.canvas.devicePixelRatioF()
         for layer in self._layers:
             layer.style(self._point_size, scale)
-        self._highlighting.style(self._point_size, scale, self._hidden)
+        self._highlight_layer.style(self._point_size, scale, self._hidden)
         self._camera_moved()
 
     def _camera_moved(self) -> None:
         camera, origin = self.camera, self._layer.origin
-        self._highlighting.move(camera, origin)
+        self._highlight_layer.move(camera, origin)
         for layer in self._layers:
             layer.move(camera)
         self._part()
@@ -345,7 +345,7 @@ class VtkViewport:
         self._style_points()
 
     def _on_moved(self) -> None:
-        self._detailing.abandon()
+        self._view_detail.abandon()
         if self._detail_s > QUICK_S:
             self._detailed = False
         for layer in self._layers:
@@ -362,7 +362,7 @@ class VtkViewport:
         if self._beside is None:
             return
         size = self._navigator.size
-        point, normal = right_of(self.camera, self._sketching.share * size.width, size)
+        point, normal = right_of(self.camera, self._sketch_layer.share * size.width, size)
         place_half(self._layer.half, point - self._layer.origin, normal)
         place_half(self._beside.half, point - self._layer.origin, -normal)
 
@@ -374,7 +374,7 @@ class VtkViewport:
     def _refine_later(self) -> None:
         """Show a coarse picture at once and the detail in a moment."""
         self._on_moved()
-        self._detailing.later()
+        self._view_detail.later()
 
 
 def _count(drawn: Iterable[Mapping[str, Array]]) -> int:
