@@ -13,6 +13,7 @@ from pyproj import CRS
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
 from lispac.project import Project
 from lispac.report.absolute_figure import absolute_figure
@@ -199,11 +200,11 @@ def test_a_sigma_in_millimetres_is_doubted_once(
     path = tmp_path / "p.csv"
     where = on_plane("V5", np.array([0.0, 0.1, 0.2]), np.zeros(3))
 
-    def noted(*sigmas: str) -> list[Message | str]:
+    def noted(*sigmas: str) -> list[Message]:
         rows = [f"A{k},{x[0]},{x[1]},{x[2]},{sigmas[k]}" for k, x in enumerate(where)]
         path.write_text("name,north,west,up,sigma\n" + "\n".join(rows))
         _, notes = check_absolute(*known, path)
-        return [each for each in notes if isinstance(each, Message)]
+        return [each for each in notes if each.code.startswith("reference.")]
 
     assert noted("0.003", "0.2", "") == []
     (found,) = noted("0.003", "3", "4")
@@ -226,7 +227,8 @@ def test_surveyed_points_and_planes(
     project, notes = check_absolute(*known, path)
     check = project.absolute
     assert check is not None
-    assert any("sigma, plane" in str(each) for each in notes)
+    (columns,) = [each for each in notes if each.code == "assumed.columns_as_named"]
+    assert columns.params["columns"][-2:] == (note("list_column.sigma"), note("list_column.plane"))
     assert check.kind == "points"
     found = {point.name: point for point in check.points}
     assert set(found) == {"BOARD", "A0", "A1"}
@@ -376,7 +378,7 @@ def test_the_command(
     assert found == json.loads(json.dumps(asdict(english_values(Absolute.of(check)))))
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
-    assert "coordinates in the local frame" in err
+    assert english_text(note("assumed.local_frame")) in err
     for sentence in found["in_words"]:
         assert sentence in out
     assert read_project(project.folder).absolute == check

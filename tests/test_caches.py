@@ -12,7 +12,7 @@ import pytest
 
 from lispac import caches, installed
 from lispac.errors import InputError
-from lispac.messages import error
+from lispac.messages import error, note
 
 
 @pytest.fixture
@@ -48,7 +48,9 @@ def test_a_place_that_cannot_be_written_is_refused_in_a_sentence(
     with pytest.raises(InputError) as refused:
         caches.choose(tmp_path / "file", config)
     assert refused.value.message == error(
-        "cache.folder_not_writable", folder=str(tmp_path / "file"), reason="Not a directory"
+        "cache.folder_not_writable",
+        folder=str(tmp_path / "file"),
+        reason=note("system.not_a_folder"),
     )
     assert caches.chosen_folder(config) is None
 
@@ -146,7 +148,7 @@ def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.Mon
     with pytest.raises(InputError) as refused:
         caches.empty(place)
     assert refused.value.message == error(
-        "cache.not_removed", folder=str(place / "numba"), reason="in use"
+        "cache.not_removed", folder=str(place / "numba"), reason=note("system.permission")
     )
 
 

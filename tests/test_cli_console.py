@@ -66,6 +66,9 @@ def test_a_window_needs_a_display_on_linux_only(
     assert has_display() is there
 
 
+CHECK = "Check the path, the disk and the permissions."
+
+
 @pytest.mark.parametrize(
     ("error", "said"),
     [
@@ -73,8 +76,8 @@ def test_a_window_needs_a_display_on_linux_only(
         (KeyboardInterrupt(), "lispac: stopped.\n"),
         (Cancelled(), "lispac: stopped.\n"),
         (OSError(28, "No space left on device", "/d/a.laz"),
-         "lispac: /d/a.laz: No space left on device.\n"),
-        (OSError("gone"), "lispac: a file: gone.\n"),
+         f"lispac: /d/a.laz: No space left on device. {CHECK}\n"),
+        (OSError("gone"), f"lispac: a file: gone. {CHECK}\n"),
         (BrokenPipeError(), ""),  # the reader of the output has gone: nobody is left to be told
     ],
 )  # fmt: skip

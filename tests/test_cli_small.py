@@ -213,7 +213,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
         "sigmas roll 0.010, pitch 0.020, yaw 0.030 deg",
     ]  # fmt: skip
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
-    assert "one in 3 of them" in err
+    assert "One in 3 of them" in err
     assert read_project(project.folder).targets == ()
     numbers = answer(capsys, "propose", project.folder, "--accept")
     assert numbers["accepted"] is True
@@ -268,12 +268,13 @@ def test_surveyed_points_stand_in_a_table_of_their_own(
 ) -> None:  # fmt: skip
     points = (PointCheck("A1", 6, 0.003, -0.2, 0.0041, 0.025), PointCheck("OLD", 2, 0.01, 0.1, 0.1))
     found = against_reference({"L1": 0.004}, points=points)
+    notes = (note("assumed.local_frame"),)
     at_hand(check)
     monkeypatch.setattr(
-        check, "check_absolute", lambda project, *_, **__: (project.with_absolute(found), ("So.",))
+        check, "check_absolute", lambda project, *_, **__: (project.with_absolute(found), notes)
     )
     out, err = told(capsys, "check", project.folder, "--reference", "points.csv")
-    assert err == "note: So.\n"
+    assert err == f"note: {english_text(notes[0])}\n"
     table = [row.split() for row in out[out.index("surveyed ") :].splitlines()[:3]]
     assert table == [
         ["surveyed", "lines", "sigma", "before", "after", "95", "%", "mm"],
@@ -292,7 +293,7 @@ def test_a_script_that_cannot_find_a_file_says_so(
     told(capsys, "import", project.folder, "--lines", "L1_000")
     line.unlink()
     out, err = told(capsys, "script", project.folder)
-    assert err == f"note: The script needs what is not there now: {line}.\n"
+    assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
     assert "project.import_lines(['L1_000'])" in out
     numbers = answer(capsys, "script", project.folder)
     assert numbers == {"script": out, "remarks": [err.removeprefix("note: ").rstrip("\n")]}
@@ -325,11 +326,11 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     ) -> tuple[Project, tuple[Outcome, ...]]:
         there, none = listed
         target = _target(there.name, there.role, -1.1)
-        found = (Outcome(there, target), Outcome(none, None, "No plane."))
+        found = (Outcome(there, target), Outcome(none, None, note("finder.not_alike")))
         return project.with_target(target), found
 
     at_hand(pick)
-    seen = undetermined(50, 0.003, "It has only 50 points.")
+    seen = undetermined(50, 0.003, note("quality.few_points", count=50))
     monkeypatch.setattr(
         "lispac.cli.pick_list.judge_target", lambda *_: {"L1_000": seen, "L2_180": seen}
     )
@@ -342,7 +343,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     assert good["lines"]["L1_000"]["quality"]["reasons"] == ["It has only 50 points."]
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
-        "reason": "No plane.", "lines": {}, "missing": {},
+        "reason": english_text(note("finder.not_alike")), "lines": {}, "missing": {},
     }  # fmt: skip
     assert "AIR" in err
     assert [target.name for target in read_project(project.folder).targets] == ["T1"]

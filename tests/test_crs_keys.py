@@ -35,7 +35,7 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
     name = CRS(2229).name
     assert stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
     found = stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
-    assert (found.text, found.name) == ("", "none")
+    assert (found.text, found.name) == ("", "")
     (doubt,) = found.doubts
     assert doubt.code == "las.unit_contradicts_system"
     assert doubt.params == {

@@ -106,7 +106,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
         ("colour = 'red'", "report_template.unknown_key"),
         ("page = 'a5'", "report_template.no_page"),
         ("page = 4", "report_template.not_text"),
-        ("language = 'de'", "There is no translation into 'de'; choose one of en, fr"),
+        ("language = 'de'", "report_template.no_language"),
         ("convention = 'lidarsoft'", "lidarsoft: there is no convention of this name"),
         ("company = Fleuve", "report_template.not_toml"),
         ("logo = 'none.png'", r"none\.png: this logo file does not exist"),

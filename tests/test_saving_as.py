@@ -34,8 +34,8 @@ from lispac.workflow.survey import load_survey
 def die(*_, **named):
     os.kill(os.getpid(), signal.SIGKILL)
 
-def copying(fraction, words=""):
-    if words.startswith("Copying two"):
+def copying(fraction, step=""):
+    if str(step).startswith("Copying two"):
         die()
 
 project = read_project(Path(sys.argv[1]))
@@ -118,9 +118,9 @@ def again(project: Project) -> Progress:
     """Import a line again while it is copied, as another window would."""
     done: list[str] = []
 
-    def told(_fraction: float, words: str = "") -> None:
-        if words.startswith("Copying one") and not done:
-            done.append(words)
+    def told(_fraction: float, step: object = "") -> None:
+        if str(step).startswith("Copying one") and not done:
+            done.append(str(step))
             import_lines(project, again=True)
 
     return told

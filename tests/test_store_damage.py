@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
+from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.survey.store import layout
 from lispac.survey.store.layout import VERSION, write_manifest
@@ -81,15 +82,15 @@ def test_where_points_lie_is_checked_though_the_file_seems_unchanged(
 def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     stored(tmp_path / "L1")
     copy = Path(shutil.copytree(tmp_path / "L1", tmp_path / "copy", copy_function=shutil.copyfile))
-    told: list[str] = []
+    told: list[object] = []
 
-    def opening(folder: Path) -> list[str]:
+    def opening(folder: Path) -> list[object]:
         told.clear()
         open_store(folder, "L1", progress=lambda done, words="": told.append(words))
         return told
 
     assert opening(tmp_path / "L1") == []
-    assert set(opening(copy)) == {"Checking L1, which was copied"}
+    assert set(opening(copy)) == {gettext_lazy("Checking {line}", line="L1")}
     assert opening(copy) == []
     os.utime(copy / "columns-1" / "time.npy", ns=(0, 5))
     monkeypatch.setattr(layout, "write_text_whole", refuse)

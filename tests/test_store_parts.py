@@ -13,7 +13,7 @@ import pytest
 
 from lispac import locks
 from lispac.errors import ProjectError
-from lispac.messages import error
+from lispac.messages import error, note
 from lispac.survey.store import reading
 from lispac.survey.store.ahead import read_ahead
 from lispac.survey.store.cells import drawn, sorting
@@ -140,7 +140,7 @@ def test_a_column_of_another_type_than_stated_is_damage(tmp_path: Path) -> None:
         (OSError(errno.EDQUOT, "Disk quota exceeded"), None, "store.disk_full", {}),
         (
             OSError(errno.EROFS, "Read-only file system"), None,
-            "store.not_writable", {"reason": "Read-only file system"},
+            "store.not_writable", {"reason": note("system.read_only")},
         ),
     ],
 )  # fmt: skip

@@ -48,7 +48,7 @@ ROOMS = {
         "blocks", "cidco_states", "cloud", "cloud_regions", "clouds", "convention_present",
         "convention_rules", "convention_typed", "convention_words", "conventions", "crs",
         "crs_operation", "frame_stated", "geodesy_edges", "georeferencing", "georeferencing_map",
-        "growing", "kept_header", "left_out", "lever_arm", "lines_cut", "offers", "pace",
+        "growing", "kept_header", "left_out", "lever_arm", "lines_cut", "offers",
         "patches_on_disk", "points_clock", "reading", "recovery", "scanners", "store",
         "store_damage", "store_parts", "time_base", "time_restart", "time_stated",
         "trajectory_quality", "trajectory_remarks",
