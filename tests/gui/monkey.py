@@ -145,9 +145,9 @@ class Monkey(QObject):
             made = any("_made" in place or "session.py" in place for place in pause.places)
             if made or self.session.window is not self._window:
                 self.seen.renewed.append(text)
-            elif pause.computations > STALL_MS:
+            elif pause.computing > STALL_MS:
                 self.seen.stalls.append(text)
-                self.seen.computing_ms.append(pause.computations)
+                self.seen.computing_ms.append(pause.computing)
             else:
                 self.seen.drawn.append(text)
             self._diary.write(f"--- {text}\n")

@@ -138,7 +138,7 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     assert (asked.system, asked.trajectory_datum, asked.epoch) == ("", None, None)
     assert not dialog.datum.isEnabled()
     own = dialog.said.text()
-    assert "Trajectory in ITRF2014" in own
+    assert "The trajectory is in ITRF2014" in own
     dialog.system.lineEdit().setText(NAD83)
     dialog._judge()
     asked = dialog.request()

@@ -28,7 +28,6 @@ from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.language import set_language
 from lispac.gui.panels import widgets
 from lispac.gui.panels.clipping import ClippingPanel
-from lispac.gui.panels.log import LogPanel
 from lispac.gui.panels.mounting_sketch import MountingSketch
 from lispac.gui.panels.patch_test import PatchTestPanel
 from lispac.gui.viewport.clipping import Box
@@ -221,17 +220,6 @@ def test_a_clip_box_that_is_none_has_no_length(qtbot: QtBot) -> None:
     assert {field.text() for field in panel.fields} == {"1.00 m"}
     panel.show_box(None)
     assert [field.text() for field in panel.fields] == ["–"] * 3
-
-
-def test_a_note_begins_as_large_as_in_english(qtbot: QtBot, qapp: QApplication) -> None:
-    set_language("fr")
-    try:
-        log = LogPanel()
-        qtbot.addWidget(log)
-        log.note("Coordinates are metres in the scanner frame.")
-        assert log.toPlainText()[10:].startswith("Les coordonnées")
-    finally:
-        set_language("en")
 
 
 def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> None:

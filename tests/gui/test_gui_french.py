@@ -226,15 +226,13 @@ def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QAppli
         set_language("en")
 
 
-@pytest.mark.parametrize(
-    ("where", "said"),
-    [("bridge-2, process 4711", "bridge-2, processus 4711"),
-     ("another program", "un autre programme")],
-)  # fmt: skip
-def test_another_program_or_window_is_named_in_french(where: str, said: str) -> None:
+def test_another_program_or_window_is_named_in_french() -> None:
     set_language("fr")
     try:
-        found = gettext("Open in: {place}.", place=gettext(where))
+        place = gettext("{host}, process {process}", host="bridge-2", process=4711)
+        assert gettext("Open in: {place}.", place=place) == (
+            "Ouvert dans\N{NO-BREAK SPACE}: bridge-2, processus 4711."
+        )
+        assert gettext("another program") == "un autre programme"
     finally:
         set_language("en")
-    assert found == f"Ouvert dans\N{NO-BREAK SPACE}: {said}."

@@ -280,10 +280,10 @@ def test_nothing_to_compare_is_said(picked: Driver) -> None:
 
 def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None:
     window, view = picked.window, picked.viewport
-    assert not view.hover_preview
+    assert not view.hovering
     press(picked, Key.Key_H)
     picked.rest()
-    assert view.hover_preview
+    assert view.hovering
     sighting = picked.project.target("T1").sightings[0]
     board = window.scene.clouds[sighting.line][sighting.indices]
     north, west, up = (float(v) for v in board[np.argmin(np.linalg.norm(
@@ -313,4 +313,4 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
     view.signals.hovered.emit(there)
     assert "hover" in view.sketches
     press(picked, Key.Key_H)
-    assert not view.hover_preview
+    assert not view.hovering
