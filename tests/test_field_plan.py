@@ -108,7 +108,7 @@ def test_a_plan_that_determines_nothing_says_so() -> None:
     site = Site((0.0, 0.0, 0.0), 270.0)
     plan = thesis_plan(site)
     said = words(field_plan(plan.with_lines(plan.lines[:1]), site.wall, "One line"))
-    assert "This plan does not determine the boresight." in said
+    assert "This survey plan does not determine the boresight angles." in said
 
 
 def test_the_same_plan_gives_the_same_page() -> None:

@@ -1,11 +1,11 @@
 """``lispac check``: how far the lines are from a reference."""
 
 import math
-import sys
 from argparse import Namespace
 from dataclasses import asdict
 
 from lispac.cli.console import ConsoleProgress, opened, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 from lispac.report.absolute_values import Absolute, AgainstReference
 from lispac.report.json_report import english_values
@@ -27,8 +27,7 @@ def check(arguments: Namespace) -> None:
         save_project(project)
     assert project.absolute is not None
     found = Absolute.of(project.absolute)
-    for note in notes:
-        print(f"note: {message_text(note)}", file=sys.stderr)
+    print_messages(notes)
     if arguments.json:
         print_json(asdict(english_values(found)))
         return

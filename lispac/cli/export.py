@@ -5,6 +5,7 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 from lispac.workflow.export_request import system_of
 from lispac.workflow.exported_files import (
@@ -67,8 +68,7 @@ def export(arguments: Namespace) -> None:
                     project, survey, arguments.output, arguments.boresight, system=system,
                     ending=form, names=names, progress=progress,
                 )  # fmt: skip
-                for note in () if system is None else system.assumptions:
-                    print(f"note: {message_text(note)}", file=sys.stderr)
+                print_messages(() if system is None else system.assumptions)
     if arguments.json:
         print_json({"files": [str(path) for path in paths]})
         return

@@ -1,9 +1,9 @@
 """``lispac georeference``: the lines on the map."""
 
-import sys
 from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.projects import open_project
@@ -25,9 +25,8 @@ def georeference(arguments: Namespace) -> None:
             ending=arguments.format,
             progress=progress,
         )
-    notes = tuple(dict.fromkeys(message_text(each) for done in written for each in done.notes))
-    for note in notes:
-        print(f"note: {note}", file=sys.stderr)
+    found = dict.fromkeys(each for done in written for each in done.notes)
+    print_messages(found)
     if arguments.json:
         lines = [
             {
@@ -36,7 +35,7 @@ def georeference(arguments: Namespace) -> None:
             }
             for done in written
         ]  # fmt: skip
-        print_json({"lines": lines, "notes": notes})
+        print_json({"lines": lines, "notes": list(map(message_text, found))})
         return
     for done in written:
         print(f"{done.path}  {done.points:,} points")

@@ -1,6 +1,5 @@
 """The command that picks a target."""
 
-import sys
 from argparse import Namespace
 from math import degrees, radians
 from typing import Any
@@ -8,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
+from lispac.cli.messages import print_messages
 from lispac.cli.pick_list import pick_list
 from lispac.cli.qualities import as_values
 from lispac.doubles import overlap_warning, overlap_with
@@ -60,8 +60,7 @@ def _pick(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
         *(() if system is None else system.assumptions), *notes_on(target, how["radius"]),
         *(() if double is None else (double,)),
     )  # fmt: skip
-    for each in notes:
-        print(f"note: {message_text(each)}", file=sys.stderr)
+    print_messages(notes)
     if arguments.json:
         print_json(as_json(target, spheres, found) | {"same_points_as": _common(project, target)})
     else:

@@ -5,6 +5,7 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
+from lispac.cli.messages import print_messages
 from lispac.cli.qualities import as_values
 from lispac.message_texts import english_text, message_text
 from lispac.project import Project
@@ -50,8 +51,7 @@ def pick_list(
     notes = list(seeds.notes)
     for outcome in outcomes:
         notes += thinned_notes(outcome.target) if outcome.target is not None else ()
-    for note in notes:
-        print(f"note: {message_text(note)}", file=sys.stderr)
+    print_messages(notes)
     if arguments.json:
         print_json({"seeds": [_as_json(project, survey, outcome) for outcome in outcomes]})
     else:

@@ -144,8 +144,8 @@ TEXTS: Mapping[str, Template] = {
         "The standard deviation of {angle} does not depend on any single line."
     ),
     "observability.one_sphere": N_(
-        "{target} is the only target, and nothing shows whether it is out of shape or has moved. "
-        "Add another target."
+        "{target} is the only target, so that a deformation or displacement of it cannot be "
+        "detected. Add another target."
     ),
     # -- values that are not estimated -------------------------------------------------------------
     "parameter.rotates_like_boresight": N_(

@@ -157,9 +157,9 @@ TEXTS: Mapping[str, Template] = {
         "Points that count twice make the standard deviations too small. Exclude {smaller}."
     ),
     "audit.same_time": N_(
-        "{line} and {other} hold points of the same {seconds:n} s. Of one scanner, one of them "
-        "is a copy and makes the standard deviations too small; of two scanners, each has a "
-        "boresight of its own. Exclude one of them."
+        "{line} and {other} overlap in time by {seconds:n} s. If they come from one scanner, "
+        "one of them is a copy and makes the standard deviations too small. If they come from "
+        "two scanners, each has boresight angles of its own. Exclude one of them."
     ),
     "text.unit_overridden": N_(
         "{file}: the columns {stated:names} state a unit, but {option} is set to {given}. The "

@@ -34,7 +34,7 @@ TEXTS: Mapping[str, Template] = {
     "import.also_changed": N_("{first} Also: {reason}"),
     "import.file_unreadable": N_(
         "{file}: the file of {line} cannot be read ({reason}), so it is not known whether it "
-        "has changed since the import. Restore the file, or remove it."
+        "has changed since the import. Restore the file, or remove the line from the project."
     ),
     "import.file_changed": N_(
         "{line}: {file} has changed since the import. Import the line again."
@@ -188,7 +188,7 @@ TEXTS: Mapping[str, Template] = {
     "import.not_examined": N_("{file}: the file cannot be examined ({kind}: {reason})."),
     "import.already_in_project": N_("{file}: this file is already line {line} of the project."),
     "import.unlikely_format": N_(
-        "{file}: the file may be {format}, but this is unlikely. Choose its role if it is."
+        "{file}: the format is uncertain. It may be {format}; if so, choose its role."
     ),
     "import.several_trajectories": N_(
         "{file}: more than one file has the role of the trajectory, but a project has one. Leave "

@@ -32,8 +32,8 @@ TEXTS: Mapping[str, Template] = {
         "the calibration. Survey points where it is denser, or increase the search distance."
     ),
     "check.no_reference_near": N_(
-        "The reference has no flat place within {distance:m} m of this line. Scan what the line "
-        "has seen, or increase the search distance."
+        "The reference has no flat surface within {distance:m} m of this line. Scan the area "
+        "that the line covers, or increase the search distance."
     ),
     "check.few_places": N_(
         "{places:n} of {tried:n} flat places of the reference within {distance:m} m of this "

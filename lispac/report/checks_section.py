@@ -262,7 +262,7 @@ def _spread_table(content: ReportContent, checks: CrossChecked) -> Table:
     )
     deg = degrees_unit()
     return Table(
-        gettext("1 sigma of the angles, formal and from the spread of the parts"),
+        gettext("Standard deviations of the angles, formal and from the scatter of the subsets"),
         (Column("", "left"), *(Column(in_unit(title(a.name), deg)) for a in content.angles)),
         rows(
             [name, *([UNKNOWN] * 3 if values is None else [fixed(v, 4) for v in values])]

@@ -81,7 +81,7 @@ def field_plan(
 def _expected(plan: Plan) -> str:
     found = predict(plan)
     if not found.determined:
-        return gettext("This plan does not determine the boresight.")
+        return gettext("This survey plan does not determine the boresight angles.")
     roll, pitch, yaw = found.sigma
     return gettext(
         "Predicted (1 sigma): roll {roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg. Time on "
@@ -148,8 +148,7 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     _north_and_scale(axes)
     axes.set_title(
         gettext(
-            "From above. A number marks the start of a line; opposite lines are drawn beside each "
-            "other"
+            "Plan view. A number marks the start of a line; reciprocal lines are drawn side by side"
         ),
         fontsize=TEXT,
         color=INK,
