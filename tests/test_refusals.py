@@ -5,6 +5,7 @@ import json
 import math
 import os
 import shutil
+from collections.abc import Iterator
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -25,7 +26,7 @@ from lispac.project import LineSource, PickedSighting, Project, Settings
 from lispac.report.content import report_content
 from lispac.workflow import calibration, picking, projects
 from lispac.workflow.demo import make_demo
-from lispac.workflow.history import projects_in
+from lispac.workflow.history import histories, projects_in
 from lispac.workflow.projects import open_project
 from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import Survey, load_survey
@@ -164,6 +165,27 @@ def test_a_folder_without_permission_is_named(
         with pytest.raises(ProjectError) as refused:
             projects_in([copy.folder])
         assert refused.value.code == "history.no_permission"
+
+
+def test_folders_that_cannot_be_read_are_named(
+    copy: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    closed = tmp_path / "closed"
+    closed.mkdir()
+    scan = os.scandir
+
+    def scandir(path: str) -> Iterator[os.DirEntry[str]]:
+        if Path(path) == closed:
+            raise PermissionError(errno.EACCES, "Permission denied", str(path))
+        return scan(path)
+
+    monkeypatch.setattr(os, "scandir", scandir)
+    found, unreadable = projects_in([tmp_path])
+    assert found == [copy.folder]
+    assert unreadable == [note("history.no_permission", folder=str(closed))]
+    with pytest.raises(ProjectError) as nothing:  # the other project has no date
+        histories([tmp_path])
+    assert str(closed) in str(nothing.value)
 
 
 def test_a_disk_that_fails_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

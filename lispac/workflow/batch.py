@@ -17,7 +17,7 @@ from lispac.errors import InputError, LispacError, NotComparable
 from lispac.foreign_values import as_cell
 from lispac.io.files import written_whole
 from lispac.language import gettext_lazy
-from lispac.message_texts import message_text
+from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.progress import Progress, no_progress, part
 from lispac.project import Project, Triple
@@ -125,7 +125,7 @@ def each_row(
     """
     if form not in REPORTS:
         raise InputError(error("report.format", formats=tuple(REPORTS), format=form))
-    found = projects_in([Path(folder) for folder in folders])
+    found, unreadable = projects_in([Path(folder) for folder in folders])
     files = [f"{name}.{form}" for name in _file_names(found)]
     for k, (folder, file) in enumerate(zip(found, files, strict=True)):
         step = part(progress, k / len(found), (k + 1) / len(found))
@@ -140,6 +140,9 @@ def each_row(
         )
         report = None if reports is None else Path(reports) / file
         yield _row(folder, save, report, options, step)
+    for message in unreadable:
+        folder = Path(str(message.params["folder"]))
+        yield Row(folder, folder.name, "refused", (english_text(message),))
     progress(1.0)
 
 

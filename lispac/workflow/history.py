@@ -12,6 +12,7 @@ import numpy as np
 from lispac.adjustment.message_parts import quantity
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
+from lispac.io.project_file import FILE_NAME
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
@@ -79,8 +80,14 @@ class History:
     remarks: tuple[Message, ...] = ()
 
 
-def projects_in(folders: Sequence[Path]) -> list[Path]:
+def projects_in(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
     """Folders of all projects in these folders, at any depth.
+
+    Returns
+    -------
+    projects : list of Path
+    unreadable : list of Message
+        Of each folder in them that cannot be read.
 
     Raises
     ------
@@ -88,16 +95,23 @@ def projects_in(folders: Sequence[Path]) -> list[Path]:
         One of them does not exist or cannot be read, or there is no project in any.
     """
     found: dict[Path, None] = {}
+    unreadable: list[Message] = []
+
+    def left_out(failure: OSError) -> None:
+        unreadable.append(note("history.no_permission", folder=str(failure.filename)))
+
     for folder in folders:
         if not folder.is_dir():
             raise ProjectError(error("history.no_folder", folder=str(folder)))
         if not os.access(folder, os.R_OK | os.X_OK):
             raise ProjectError(error("history.no_permission", folder=str(folder)))
-        for file in sorted(folder.rglob("project.json")):
-            found[file.parent] = None
+        for place, inner, files in os.walk(folder, onerror=left_out):
+            inner.sort()
+            if FILE_NAME in files:
+                found[Path(place)] = None
     if not found:
         raise ProjectError(error("history.no_project", folders=[str(folder) for folder in folders]))
-    return list(found)
+    return list(found), unreadable
 
 
 def histories(
@@ -126,9 +140,10 @@ def histories(
         No project in the folders, or none with an answer and a date.
     """
     open_ones = {project.folder.resolve(): project for project in also}
-    paths = [path for path in projects_in(folders) if path.resolve() not in open_ones]
+    inside, unreadable = projects_in(folders)
+    paths = [path for path in inside if path.resolve() not in open_ones]
     known: list[tuple[date, Project]] = []
-    excluded: list[Message | str] = []
+    excluded: list[Message | str] = [*unreadable]
     projects = list(open_ones.values())
     for k, path in enumerate(paths):
         progress(k / len(paths), gettext_lazy("Reading {file}", file=path.name))
