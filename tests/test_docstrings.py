@@ -204,10 +204,10 @@ def test_errors_that_are_said_to_be_raised_exist(room: str) -> None:
 
 
 OWN = {
-    "adjustment": {"iteration", "problem", "solved", "sphere_radii", "summary", "turns"},
+    "adjustment": {"iteration", "problem", "solved", "sphere_radii", "summary", "attitude_terms"},
     "design": {"advice", "monte_carlo", "prediction", "site"},
     "geometry": {"neighbours"},
-    "simulation": {"casting", "pos_error_models", "scene", "vessel"},
+    "simulation": {"ray_casting", "pos_error_models", "scene", "vessel"},
     "survey": {
         "axes",
         "correction",
