@@ -97,7 +97,7 @@ def projects_in(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
     found: dict[Path, None] = {}
     unreadable: list[Message] = []
 
-    def left_out(failure: OSError) -> None:
+    def add_unreadable(failure: OSError) -> None:
         unreadable.append(note("history.no_permission", folder=str(failure.filename)))
 
     for folder in folders:
@@ -105,7 +105,7 @@ def projects_in(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
             raise ProjectError(error("history.no_folder", folder=str(folder)))
         if not os.access(folder, os.R_OK | os.X_OK):
             raise ProjectError(error("history.no_permission", folder=str(folder)))
-        for place, inner, files in os.walk(folder, onerror=left_out):
+        for place, inner, files in os.walk(folder, onerror=add_unreadable):
             inner.sort()
             if FILE_NAME in files:
                 found[Path(place)] = None
