@@ -1,0 +1,94 @@
+"""A project saved with the window in one language and opened with it in another."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from lispac.gui import theme
+from lispac.gui.language import set_language
+from lispac.gui.viewport.recording import RecordingViewport
+from lispac.message_texts import message_text
+from lispac.messages import Message
+from lispac.workflow.projects import save_project
+from tests.french_catalogue import FRENCH
+from tests.gui.french_support import english, pieces, texts
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, settle
+
+WRONG_BY = 0.1
+"""Metres by which a lever arm is wrong, so that the estimate has much to warn of."""
+VALIDATE = 3
+"""The step of the workflow."""
+
+
+@contextmanager
+def window(code: str, qtbot: QtBot, folder: Path) -> Iterator[Driver]:
+    """A window in a language, as the program starts with it."""
+    theme.apply_theme(QApplication.instance())
+    set_language(code)
+    try:
+        made = Driver(qtbot, RecordingViewport(), folder)
+        yield made
+        made.leave()
+    finally:
+        set_language("en")
+
+
+def open_project(driver: Driver, folder: Path) -> None:
+    driver.dialogs.path = folder
+    press(driver, Key.Key_O, Qt.KeyboardModifier.ControlModifier)
+    settle(driver)
+    assert driver.dialogs.errors == []
+
+
+def listed(driver: Driver) -> dict[str, Message]:
+    """The messages of the list of warnings by their texts in it."""
+    driver.bot.waitUntil(lambda: driver.window.warning_list.is_current, timeout=WAIT_MS)
+    panel = driver.window.warnings
+    driver.bot.waitUntil(lambda: panel.is_filled, timeout=WAIT_MS)
+    shown = [panel.list.item(row).text() for row in range(panel.list.count())]
+    assert shown == [message_text(each) for each in panel.messages]
+    return dict(zip(shown, panel.messages, strict=True))
+
+
+def french(driver: Driver) -> set[str]:
+    """Texts of a window that are those of the French catalogue."""
+    only = set(FRENCH.values()) - set(FRENCH)
+    return {text for text in texts(driver.window) if any(each in only for each in pieces(text))}
+
+
+@pytest.mark.parametrize(("first", "second"), [("en", "fr"), ("fr", "en")])
+def test_all_warnings_are_in_the_language_of_the_window(
+    first: str, second: str, qtbot: QtBot, tmp_path: Path, demo: Demo, demo_copy: Path
+) -> None:
+    north, *others = demo.picked.settings.lever_arm
+    settings = replace(demo.picked.settings, lever_arm=(north + WRONG_BY, *others))
+    save_project(replace(demo.picked, folder=demo_copy, settings=settings))
+    with window(first, qtbot, tmp_path / "first") as driver:
+        open_project(driver, demo_copy)
+        press(driver, Key.Key_F9)
+        settle(driver)
+        open_step(driver, VALIDATE)
+        click(driver, driver.window.validate.run)
+        settle(driver)
+        press(driver, Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+        settle(driver)
+        assert not driver.window.isWindowModified()
+        before = listed(driver)
+    with window(second, qtbot, tmp_path / "second") as driver:
+        open_project(driver, demo_copy)
+        after = listed(driver)
+        assert [each.code for each in after.values()] == [each.code for each in before.values()]
+        assert len(after) >= 5
+        assert not set(before) & set(after)
+        for step in range(5):
+            open_step(driver, step)
+        for dock in driver.window.docks.values():
+            dock.raise_()
+            driver.rest()
+        assert (english(driver.window) if second == "fr" else french(driver)) == set()
