@@ -122,7 +122,9 @@ class CacheBox(QWidget):
 
     def _show_size(self, place: Path) -> None:
         found = caches.size(place)
-        self.size.setText(gettext("{size:mb.1} MB", size=found) if found else gettext("empty"))
+        self.size.setText(
+            gettext("{size:mb.1} MB", size=found) if found else gettext("The cache is empty")
+        )
         self.empty.setEnabled(found > 0)
 
     def _show_problem(self, text: str) -> None:
