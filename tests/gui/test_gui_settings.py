@@ -319,7 +319,7 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
         QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
         qtbot.mouseClick(page.cache.empty, Left)
         assert (place / "numba").exists() is left
-    assert page.cache.size.text() == "empty"
+    assert page.cache.size.text() == "The cache is empty"
     assert not page.cache.empty.isEnabled()
     qtbot.mouseClick(page.cache.usual, Left)
     assert page.preferences.cache is None

@@ -16,7 +16,7 @@ from lispac.language import N_, LazyText, gettext
 
 FACTORS = {
     N_("POS errors as specified"): (1.0,),
-    N_("POS errors of 0.5, 1 and 2 times the specified ones"): (0.5, 1.0, 2.0),
+    N_("0.5, 1 and 2 times the specified POS errors"): (0.5, 1.0, 2.0),
 }
 
 

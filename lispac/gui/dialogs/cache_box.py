@@ -27,7 +27,7 @@ class CacheBox(QWidget):
         self.choose = widgets.button(
             gettext("Choose…"), "settings_cache_choose",
             tip=gettext(
-                "Choose another folder for the demo survey, compiled code and lists of fonts. "
+                "Choose another folder for the demo survey, compiled code and font lists. "
                 "Projects and the contents of the former folder are not moved."
             ),
         )  # fmt: skip

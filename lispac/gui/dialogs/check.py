@@ -241,7 +241,7 @@ def _columns() -> tuple[Column, ...]:
             words=True,
         ),
         Column(
-            gettext("Places"),
+            gettext("Compared places"),
             gettext(
                 "Number of places where line and reference are compared, the same before and "
                 "after calibration"
@@ -264,7 +264,11 @@ def _row(line: LineAgainstReference, name: Cell) -> Row:
     cells = [name, number(after.distances.n, ",.0f")]
     for state in (line.before, after):
         cells += _figures(state)
-    result = gettext("differs") if after.mean_significant else gettext("agrees")
+    result = (
+        gettext("differs from reference")
+        if after.mean_significant
+        else gettext("agrees with reference")
+    )
     return Row((*cells, Cell(result)), marked=after.mean_significant)
 
 

@@ -41,11 +41,11 @@ from lispac.workflow.target_systems import LOCAL, own_datum
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
     "targets": N_("Points of targets and validation planes"),
-    "planes": N_("Plane files of the targets (25 columns)"),
+    "planes": N_("Points of the target planes (text, 25 columns)"),
     "trajectory": N_("Trajectory"),
 }
 FORMATS = {
-    "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text"),
+    "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
     "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
 BORESIGHTS: dict[Which, str] = {

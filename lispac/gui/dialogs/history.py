@@ -111,8 +111,8 @@ def _columns() -> list[Column]:
         Column(
             gettext("Result"),
             gettext(
-                "The mounting has moved if an angle, or the three angles together, differ "
-                "from the earlier calibrations by more than 3 σ"
+                "The mounting is reported as moved if the change of one angle, or of the three "
+                "angles together, exceeds 3 σ"
             ),
             words=True,
         ),
@@ -137,5 +137,7 @@ def _row(entry: Entry) -> Row:
     if change is None:
         result = gettext("first calibration")
     else:
-        result = gettext("mounting has moved") if charted.moved else gettext("agrees")
+        result = (
+            gettext("mounting has moved") if charted.moved else gettext("no significant change")
+        )
     return Row((*cells, Cell(result)), marked=charted.moved, tip=message_text(verdict(entry)))

@@ -49,7 +49,7 @@ class IdentityDialog(QDialog):
         layout = widgets.column(self, 16)
         layout.addWidget(
             widgets.label(
-                gettext("Blank fields are printed as lines to be filled in by hand."), wrap=True
+                gettext("Empty fields are printed blank, to be filled in by hand."), wrap=True
             )
         )
         form = QFormLayout()

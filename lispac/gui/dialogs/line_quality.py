@@ -78,7 +78,7 @@ def _columns() -> list[Column]:
             ),
             words=True,
         ),
-        Column(gettext("Places"), gettext("Number of flat places observed in both lines")),
+        Column(gettext("Compared places"), gettext("Number of flat places observed in both lines")),
         *(Column(gettext(title), gettext(tip), base="mm") for title, tip in STATISTICS),
     ]
 

@@ -23,33 +23,40 @@ METHODS = {
 """Names of the methods at the start of a row or line."""
 NOT_RUN: dict[Method, str] = {
     "natural planes": N_(
-        "This method has not been run yet. It adjusts the boresight on the "
-        "validation planes instead of the targets."
+        "This method has not been run yet. It estimates the boresight from the validation planes "
+        "instead of the targets."
     ),
     "targetless": N_(
-        "This method has not been run yet. It adjusts the boresight on natural "
-        "surfaces of the scene."
+        "This method has not been run yet. It estimates the boresight from natural surfaces of "
+        "the scene."
     ),
     "patch test": N_(
-        "This method has not been run yet. It rotates the lines until they match on "
-        "detected objects."
+        "This method has not been run yet. It estimates the boresight by rotating the lines until "
+        "they match on detected objects."
     ),
 }
 """Tips of the rows of methods without a result."""
 DIFFERENCES = (
     (
         N_("Δ roll (σ)"),
-        N_("Roll minus that of the first row, divided by the standard deviation of the difference"),
+        N_(
+            "Roll minus the roll of the first row, divided by the standard deviation of the "
+            "difference"
+        ),
     ),
     (
         N_("Δ pitch (σ)"),
         N_(
-            "Pitch minus that of the first row, divided by the standard deviation of the difference"
+            "Pitch minus the pitch of the first row, divided by the standard deviation of the "
+            "difference"
         ),
     ),
     (
         N_("Δ yaw (σ)"),
-        N_("Yaw minus that of the first row, divided by the standard deviation of the difference"),
+        N_(
+            "Yaw minus the yaw of the first row, divided by the standard deviation of the "
+            "difference"
+        ),
     ),
 )
 """Titles and tips of the columns of differences."""

@@ -65,7 +65,7 @@ class ProposalDialog(QDialog):
         self.accept_button.setDefault(True)
         self.accept_button.clicked.connect(self.accept)
         reject = widgets.button(
-            gettext("Reject"),
+            gettext("Reject all"),
             "reject_proposal",
             tip=gettext("Close without adding targets or planes"),
         )
@@ -111,7 +111,7 @@ class ProposalDialog(QDialog):
     def _count(self) -> None:
         ticked, total = len(self.ticked), self.table.rowCount()
         self.accept_button.setText(
-            gettext("Add {ticked:n} of {total:n}", ticked=ticked, total=total)
+            gettext("Add {ticked:n} of {total:n} surfaces", ticked=ticked, total=total)
         )
         self.accept_button.setEnabled(ticked > 0)
 
@@ -122,8 +122,8 @@ def _introduction(proposal: Proposal) -> str:
         [
             _about_targets(proposal),
             gettext(
-                "Validation planes are not used in the adjustment but to check that the lines "
-                "agree. Untick the targets and planes that you do not want to add."
+                "Validation planes are not used in the adjustment; they only serve to check that "
+                "the lines agree. Untick the targets and planes that you do not want to add."
             ),
         ]
     )

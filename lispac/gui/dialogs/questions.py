@@ -151,7 +151,7 @@ class Questions:
             parent=self.parent,
         )  # fmt: skip
         box.setObjectName("elsewhere_dialog")
-        place = gettext("The other window runs on: {place}.", place=where)
+        place = gettext("The project is open in: {place}.", place=where)
         effect = gettext(
             "If both windows save the project, the later save overwrites the earlier one. Unsaved "
             "changes of this window cannot be restored after a crash."

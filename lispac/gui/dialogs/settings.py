@@ -163,7 +163,7 @@ class SettingsDialog(QDialog):
         self._form.addRow(gettext("Theme"), self.looks)
         self._form.addRow(gettext("Colour scale of points"), self.scale)
         self._form.addRow(gettext("Point size"), self.point_size)
-        self._form.addRow(gettext("Maximum points drawn"), self.point_budget)
+        self._form.addRow(gettext("Maximum number of points drawn"), self.point_budget)
         self._form.addRow(gettext("Unit of angles"), self.angles)
         self._form.addRow(gettext("Unit of lengths"), self.lengths)
         self._form.addRow(widgets.label(gettext("Report"), "heading"))

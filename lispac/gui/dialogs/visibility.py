@@ -25,7 +25,7 @@ COLUMNS = (
         N_("Accepted in thesis (deg)"),
         N_("Accepted inclinations in appendix C and section 3.9 of the thesis"),
     ),
-    (N_("Best inclination (deg)"), N_("Inclination with the largest differences between lines")),
+    (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
     (N_("Best in thesis (deg)"), N_("Best inclination in table 3.2 and section 3.9 of the thesis")),
     (
         N_("Lines showing error (deg)"),
@@ -64,7 +64,9 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_figures import CRITERIA, error_in_words
 
         columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
-        table = DiagnosticsTable("visibility_table", gettext("Best configurations"), columns)
+        table = DiagnosticsTable(
+            "visibility_table", gettext("Best inclination and lines for each error"), columns
+        )
         super().__init__(
             "visibility", gettext("Visibility of errors"),
             gettext(

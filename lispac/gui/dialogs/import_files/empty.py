@@ -21,7 +21,7 @@ _FILES = (
     (
         "dots-hexagon",
         N_("One scan file for each line"),
-        N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO; in the scanner frame or georeferenced"),
+        N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO file, in the scanner frame or georeferenced"),
     ),
 )
 """Icon, kind and formats of the files."""
