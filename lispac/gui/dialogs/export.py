@@ -257,7 +257,7 @@ class ExportDialog(QDialog):
             return [trajectory_datum(self._project)]
         local = [
             gettext(
-                "The coordinates are north, west and up, in metres from the origin of the project."
+                "The coordinates are north, west and up, in metres from the origin of the project"
             )
         ]
         if self._what == "planes":
