@@ -39,13 +39,13 @@ COLUMNS = (
         N_("Headings of the lines in table 3.2 and section 4.4.1.1 of the thesis"),
     ),
     (
-        N_("Inclination (comparison)"),
+        N_("Inclination (agreement)"),
         N_(
             "Agreement of the inclination with the thesis; the tooltip of the row "
             "gives the reason for a difference"
         ),
     ),
-    (N_("Lines (comparison)"), N_("Agreement of the lines with the thesis")),
+    (N_("Lines (agreement)"), N_("Agreement of the lines with the thesis")),
 )
 """Titles and tips of the columns."""
 READ = N_("Move the mouse over the chart to read values")
