@@ -141,7 +141,7 @@ def test_what_cannot_be_added_is_said_in_the_dialogue(
     assert f"this file is already line {name} of the project." in told[0]
     assert "late.laz" in told[1]
     assert "trajectory" in told[1]
-    assert told[2].startswith("No line has been added")
+    assert told[2].startswith("No lines have been added yet.")
     assert short.project.lines == shorter.lines
     assert not short.window.isWindowModified()
 

@@ -53,7 +53,7 @@ def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tm
     assert search.cancel.isEnabled()
     settled(driver)
     assert driver.dialogs.errors == []
-    assert "All 250 plans were evaluated" in search.said.text()
+    assert "all 250 possible plans" in search.said.text()
     assert [t.name for t in plan(design).targets] == ["T1", "tower"]
     assert design.workspace.titled.title == "Pier"
     assert design.pictures.which.count() == 1
@@ -88,7 +88,7 @@ def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch)
     pictures = design.pictures
     assert design.views.currentWidget() is pictures
     assert [pictures.which.itemText(k) for k in range(2)] == [
-        "size (wall and boards of the thesis)", "POS",
+        "size (for the wall and boards of the thesis)", "POS",
     ]  # fmt: skip
     assert len(pictures.pages.currentWidget().figure.axes) == 2
     driver.bot.keyClick(design, Key.Key_F9)

@@ -43,7 +43,7 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert "UTM zone" in dialog.said.text()
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     assert dialog.request().system == "local"
-    assert "North, West and Up" in dialog.said.text()
+    assert "north, west and up" in dialog.said.text()
     dialog.system.setCurrentIndex(0)
     assert "Nothing is moved to another datum" in dialog.said.text()
     assert "at the epoch of the trajectory" in dialog.said.text()

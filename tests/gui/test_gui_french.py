@@ -181,7 +181,7 @@ def test_a_site_is_designed(french: Driver) -> None:
     french.rest()
     assert edits.hung(design.workspace.titled)[0].along == pytest.approx(1.25)
     assert design.targets.table.item(0, 1).text() == "1,25"
-    undo = "&Annuler\u00a0: T1\u00a0: Le long du mur"
+    undo = "&Annuler\u00a0: T1\u00a0: Position"
     assert design.actions_["undo"].text() == undo
     sides = design.lines.table
     assert {sides.item(row, 3).text() for row in range(sides.rowCount())} <= {"bâbord", "tribord"}
@@ -230,8 +230,8 @@ def test_another_program_or_window_is_named_in_french() -> None:
     set_language("fr")
     try:
         place = gettext("{host}, process {process}", host="bridge-2", process=4711)
-        assert gettext("Open in: {place}.", place=place) == (
-            "Ouvert dans\N{NO-BREAK SPACE}: bridge-2, processus 4711."
+        assert gettext("The project is open in: {place}.", place=place) == (
+            "Le projet est ouvert dans\N{NO-BREAK SPACE}: bridge-2, processus 4711."
         )
         assert gettext("another program") == "un autre programme"
     finally:

@@ -121,7 +121,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 lines to check)"
     bars = bars_of(dialog.intake)
     assert [bar.sound for bar in bars] == [True, True, False, False]
-    assert bars[2].words == "100.0 % outside"
+    assert bars[2].words == "100.0 % outside trajectory"
     assert not dialog.ok.isEnabled()
     assert dialog.timeline.all.isVisible()
     first = dialog.timeline.remarks.buttons[0]

@@ -218,13 +218,16 @@ def test_the_import_dialogue_cautions_wherever_one_looks(filled: ImportDialog, q
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)
-    for typed_in, doubts, said in (("-2.419", 1, ""), ("-42.419", 2, ", and 1 more warning")):
+    for typed_in, doubts, said in (
+        ("-2.419", 1, ""),
+        ("-42.419", 2, " for this and 1 more warning"),
+    ):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)
         told = page.view.doubts.text().splitlines()
         assert len(told) == doubts
-        assert filled.reason.text() == f"{told[0]} (Mounting and accuracies{said})"
+        assert filled.reason.text() == f"{told[0]} See the tab Mounting and accuracies{said}."
         qtbot.waitUntil(lambda: is_whole(page.view.doubts) and is_whole(filled.reason))
     field.selectAll()
     qtbot.keyClicks(field, "2.419")

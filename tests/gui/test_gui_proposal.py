@@ -132,9 +132,9 @@ def test_what_is_picked_is_not_proposed_and_names_stay_apart(
 @pytest.mark.parametrize(
     ("known", "words"),
     [
-        (0, "Standard deviations of the boresight with the proposed targets: roll 0.0"),
-        (1, "with the proposed targets and A1 (already picked): roll 0.0"),
-        (9, "all suitable surfaces are already picked (A1, A2"),
+        (0, "deviations of the boresight with the proposed targets: roll 0.0"),
+        (1, "with the proposed and the existing targets (A1): roll 0.0"),
+        (9, "all suitable surfaces are already targets: A1, A2"),
     ],
 )
 def test_the_head_says_what_the_sigmas_are_of(

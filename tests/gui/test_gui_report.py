@@ -70,7 +70,7 @@ def test_what_is_wrong_is_said_and_cancel_changes_nothing(opened: Driver) -> Non
         assert said.text() == ""
         assert keep.isEnabled()
         opened.bot.mouseClick(dialog.findChild(QPushButton, "identity_dates_of_lines"), Left)
-        assert "without a date" in said.text()
+        assert "do not contain a date" in said.text()
         assert field(dialog, "dates").text() == ""
         opened.bot.keyClick(dialog, Key.Key_Escape)
 

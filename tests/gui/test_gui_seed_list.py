@@ -80,7 +80,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
-    assert told == "Targets found: 3, from 4 seeds. One undo step removes them all."
+    assert told == "Targets found: 3 (from 4 seeds). One undo step removes all of them."
     assert [target.name for target in opened.project.targets] == names[:3]
     assert opened.window.document.undo_stack.undoText() == "seeds of quay.csv"
     opened.window.document.undo_stack.undo()
@@ -186,5 +186,5 @@ def test_nothing_found_changes_nothing(opened: Driver, tmp_path: Path) -> None:
     both(opened, lambda dialog: opened.bot.keyClick(dialog, Key.Key_Return), table)
     opened.window.lifecycle.list_dropped.emit(path)
     opened.rest()
-    assert told == ["No target was found at the seed."]
+    assert told == ["No target was found at the seed. Check its coordinates and their system."]
     assert opened.project is before

@@ -180,7 +180,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     qtbot.mouseClick(sensors.copy, Left)
     theirs, ours = (
         next(s.figures for s in library(folder).pos if s.name == name)
-        for name in ("apogee", "sbg-systems-apogee-own")
+        for name in ("apogee", "sbg-systems-apogee-user-defined")
     )
     assert isinstance(ours, PosFigures)
     assert ours.states == theirs.states
@@ -197,7 +197,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     qtbot.waitUntil(lambda: in_front(page) and sensors.table.hasFocus())
     assert sensors.current is not None
     # Return answers the question with what loses nothing
-    sensors.select("sbg-systems-apogee-own")
+    sensors.select("sbg-systems-apogee-user-defined")
     QTimer.singleShot(200, lambda: qtbot.keyClick(QApplication.activeModalWidget(), Key.Key_Return))
     qtbot.mouseClick(sensors.remove, Left)
     assert sensors.table.rowCount() == count + 1
@@ -319,7 +319,7 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
         QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
         qtbot.mouseClick(page.cache.empty, Left)
         assert (place / "numba").exists() is left
-    assert page.cache.size.text() == "empty"
+    assert page.cache.size.text() == "The cache is empty"
     assert not page.cache.empty.isEnabled()
     qtbot.mouseClick(page.cache.usual, Left)
     assert page.preferences.cache is None

@@ -80,7 +80,7 @@ def test_the_open_answer_is_held_against_last_years(
         days = [dialog.table.item(row, 0).text() for row in range(2)]
         assert days == ["2025-04-02", "2026-04-05"]
         assert dialog.table.item(1, 4).text().replace("−", "-") == f"{pitch:+.4f}"
-        assert dialog.table.item(1, 12).text() == "has moved"  # another system's angles
+        assert dialog.table.item(1, 12).text() == "mounting has moved"  # another system's angles
         assert "Nordlys, VZ-400i" in dialog.system.currentText()
         assert len(dialog.canvas.figure.axes) == 3
         adjusted.bot.mouseClick(dialog.copy_numbers, Left)
@@ -231,7 +231,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
         assert f"45 deg: {float(row[3]):.4f}".replace("-", "\u2212") in said
         driver.bot.mouseClick(dialog.copy_picture, Left)
         assert QGuiApplication.clipboard().pixmap().width() >= 560
-        dialog.site.setCurrentText("Marine")
+        dialog.site.setCurrentText("Marine site")
         assert dialog.table.rowCount() == 3
         assert [dialog.error.itemText(k) for k in range(3)] == [
             "Roll 2 deg", "Pitch 2 deg", "Yaw 2 deg",

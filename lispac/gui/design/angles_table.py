@@ -11,7 +11,9 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.language import N_, LazyText, gettext
 
-OUT_OF_DATE = N_("Out of date: the plan was changed after this result.")
+OUT_OF_DATE = N_(
+    "This result is out of date because the survey plan was changed. Run the computation again."
+)
 
 
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")

@@ -131,7 +131,7 @@ class BackgroundPrediction(QObject):
             self.said.emit(found)
             self._weigh()
 
-        self._slow = self._runner.run(gettext("Checking the plan"), work, done, quiet=True)
+        self._slow = self._runner.run(gettext("Checking the survey plan"), work, done, quiet=True)
 
     def _weigh(self) -> None:
         plan = self._titled.plan

@@ -58,9 +58,9 @@ def best_plan(
 ) -> Design:
     """The best plan of a site, on all cores where there are many to look at."""
     workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
-    progress(0.0, gettext_lazy("Starting the search"))
+    progress(0.0, gettext_lazy("Starting the search for the best survey plan"))
     with pool_of(workers) as mapper:
-        rated = CountingMapper(mapper, progress, N_("{rate:x} plans/s"))
+        rated = CountingMapper(mapper, progress, N_("{rate:x} survey plans/s"))
         return search(
             site, objective, plans=plans, start=start, mapper=rated.map, progress=rated.progress
         )
@@ -73,9 +73,9 @@ def all_scenarios(plan: Plan, progress: Progress) -> tuple[Outcome, ...]:
 
 def simulated_surveys(plan: Plan, asked: SimulationRequest, progress: Progress) -> Scatter:
     """Many surveys of a plan, on all cores; cancelled, those that are finished if enough are."""
-    progress(0.0, gettext_lazy("Starting the surveys"))
+    progress(0.0, gettext_lazy("Starting the simulated surveys"))
     with pool_of(os.cpu_count() or 1, at_once=1) as mapper:
-        rated = CountingMapper(mapper, progress, N_("{rate:x.1} surveys/s"))
+        rated = CountingMapper(mapper, progress, N_("{rate:x.1} simulated surveys/s"))
         return many_surveys(
             plan, asked.surveys, seed=asked.seed, flatness_known=asked.flatness_known,
             enough=ENOUGH, mapper=rated.map, progress=rated.progress,

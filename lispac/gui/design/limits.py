@@ -18,13 +18,18 @@ from lispac.messages import error
 
 # name of the site's field: (label, unit, low, high, tip)
 LISTS = {
-    "along": (N_("Boards along wall"), "m", -500.0, 500.0,
-              N_("Positions of boards along the wall, positive to the right")),
-    "heights": (N_("Board heights"), "m", -50.0, 200.0, N_("Heights of boards above the POS")),
-    "inclinations_deg": (N_("Inclinations"), "deg", 0.0, 180.0,
-                         N_("Inclinations: 90 is vertical, less leans back, more leans forward")),
-    "headings_deg": (N_("Headings"), "deg", -360.0, 360.0, N_("Headings of the lines")),
-    "distances": (N_("Distances"), "m", 1.0, 200.0, N_("Distances of the lines from the site")),
+    "along": (N_("Board positions"), "m", -500.0, 500.0,
+              N_("Board positions along the wall to be tried in the search, positive to the "
+                 "right")),
+    "heights": (N_("Board heights"), "m", -50.0, 200.0,
+                N_("Board heights above the POS to be tried in the search")),
+    "inclinations_deg": (N_("Board inclinations"), "deg", 0.0, 180.0,
+                         N_("Board inclinations to be tried in the search: 90° is vertical, "
+                            "smaller values lean back, larger values lean forward")),
+    "headings_deg": (N_("Line headings"), "deg", -360.0, 360.0,
+                     N_("Line headings to be tried in the search")),
+    "distances": (N_("Line distances"), "m", 1.0, 200.0,
+                  N_("Distances between line and site to be tried in the search")),
 }  # fmt: skip
 LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Degrees from level, as in the site files that come with the program."""
@@ -84,21 +89,25 @@ class LimitsForm(QWidget):
         """Values of each list; None where the text is not a list of numbers."""
         self._filled = {name: ("", ()) for name in LISTS}
         """Text that was filled in and its values with all digits, until something is typed."""
-        self.boards = _whole("limit_boards", 0, 6, 2, gettext("Number of boards"))
-        self.lines = _whole("limit_lines", 2, 12, 6, gettext("Number of lines"))
+        self.boards = _whole(
+            "limit_boards", 0, 6, 2, gettext("Number of boards in the survey plan")
+        )
+        self.lines = _whole("limit_lines", 2, 12, 6, gettext("Number of lines in the survey plan"))
         self.closest = widgets.number(
             "limit_closest", suffix=" m", decimals=1, low=0.0, high=100.0, step=0.5,
-            tip=gettext("Minimum distance of a line from the wall"), ranged=True,
+            tip=gettext("Minimum distance between a line and the wall"), ranged=True,
         )  # fmt: skip
         self.minutes = widgets.number(
             "limit_minutes", suffix=" min", decimals=0, low=1.0, high=1440.0, step=5.0,
-            tip=gettext("Time available for the lines"), ranged=True,
+            tip=gettext("Maximum time on site for all lines, turns included"), ranged=True,
         )  # fmt: skip
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
         for label, field in (
-            (gettext("Boards"), self.boards), (gettext("Lines"), self.lines),
-            (gettext("Minimum distance"), self.closest), (gettext("Time on site"), self.minutes),
+            (gettext("Number of boards"), self.boards),
+            (gettext("Number of lines"), self.lines),
+            (gettext("Minimum distance to wall"), self.closest),
+            (gettext("Maximum time on site"), self.minutes),
         ):  # fmt: skip
             form.addRow(label, field)
             field.valueChanged.connect(lambda _value: self.changed.emit())
@@ -110,7 +119,7 @@ class LimitsForm(QWidget):
             field.setAccessibleName(f"{gettext(label)}, {shown}")
             field.setToolTip(
                 gettext(
-                    "{tip}. A list of numbers from {low} to {high} {unit}",
+                    "{tip}. Enter one or more numbers from {low} to {high} {unit}.",
                     tip=gettext(tip), low=units.localised(_end(low, base)),
                     high=units.localised(_end(high, base)), unit=shown,
                 )
@@ -139,13 +148,15 @@ class LimitsForm(QWidget):
     def file_text(self) -> str:
         """Where the wall and the system come from."""
         if self._file is None:
-            return gettext("Wall and system: from the plan.")
+            return gettext("The wall and the survey system are taken from the survey plan.")
         title, site = self._file
-        text = gettext("Wall and system: from the site file “{title}”.", title=title)
+        text = gettext(
+            "The wall and the survey system are taken from the site file “{title}”.", title=title
+        )
         if not site.natural:
             return text
         names = [each.name for each in site.natural]
-        existing = gettext("Existing targets: {names:names}.", names=names)
+        existing = gettext("Existing targets on the site: {names:names}.", names=names)
         return f"{text} {existing}"
 
     def site(self, titled: TitledPlan) -> tuple[str, Site]:

@@ -16,31 +16,34 @@ from lispac.io.plan_file import SIDES
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 
 LINE_FIELDS = (
-    Field("turn", N_("Line"), N_("Place of the line in the order of the survey"), "", 1,
+    Field("turn", N_("Line"), N_("Position of the line in the survey order"), "", 1,
           edits.MOST_LINES, 0),
-    Field("heading", N_("Heading"), N_("Heading, clockwise from north"), "deg", -360.0, 360.0, 1),
-    Field("distance", N_("Distance"), N_("Distance from the centre of the site when it is abeam"),
-          "m", edits.NEAREST, edits.FARTHEST, 1),
-    Field("side", N_("Site on"), N_("Side of the vessel on which the site lies"), choices=SIDES),
-    Field("speed", N_("Speed"), N_("Speed over ground"), "m/s", 0.05, 10.0, 2),
+    Field("heading", N_("Heading"), N_("Heading of the line, clockwise from north"), "deg",
+          -360.0, 360.0, 1),
+    Field("distance", N_("Distance"),
+          N_("Perpendicular distance between the line and the centre of the site"), "m",
+          edits.NEAREST, edits.FARTHEST, 1),
+    Field("side", N_("Site side"), N_("Side of the vessel that faces the site"), choices=SIDES),
+    Field("speed", N_("Speed"), N_("Speed of the vessel over ground"), "m/s", 0.05, 10.0, 2),
 )  # fmt: skip
 TARGET_FIELDS = (
-    Field("name", N_("Name"), N_("Name as painted on the board"), words=True),
-    Field("along", N_("Along wall"), N_("Position along the wall, positive to the right as seen "
-                                        "from the water"), "m", -500.0, 500.0),
-    Field("off", N_("Off wall"), N_("Distance from the wall, positive towards the water"), "m",
+    Field("name", N_("Name"), N_("Name of the target, as marked on it"), words=True),
+    Field("along", N_("Position"), N_("Position along the wall, positive to the right as seen "
+                                      "from the water"), "m", -500.0, 500.0),
+    Field("off", N_("Distance"), N_("Distance from the wall, positive towards the water"), "m",
           -500.0, 500.0),
-    Field("up", N_("Height"), N_("Height of the centre above the POS of the vessel"), "m", -50.0,
-          200.0),
-    Field("lean", N_("Inclination"), N_("Inclination from horizontal: 90 is vertical, less leans "
-                                        "back, more leans forward"), "deg", 0.0, 180.0, 0),
-    Field("facing", N_("Azimuth"), N_("Azimuth of the direction the board faces"), "deg", -360.0,
-          360.0, 0),
+    Field("up", N_("Height"), N_("Height of the target centre above the POS of the vessel"), "m",
+          -50.0, 200.0),
+    Field("lean", N_("Inclination"),
+          N_("Inclination from horizontal: 90° is vertical, smaller values lean back, larger "
+             "values lean forward"), "deg", 0.0, 180.0, 0),
+    Field("facing", N_("Azimuth"), N_("Azimuth of the direction that the board faces"), "deg",
+          -360.0, 360.0, 0),
     Field("width", N_("Width"), N_("Width of the board, or diameter of the sphere"), "m", 0.05,
           50.0),
     Field("height", N_("Length"), N_("Length of the board along its slope"), "m", 0.05, 50.0),
     Field("flatness", N_("Form error"), N_("Deviation of the surface from its ideal shape, 1σ"),
-          "mm", 0.0, 100.0, 1, empty=N_("as plan")),
+          "mm", 0.0, 100.0, 1, empty=N_("plan default")),
 )  # fmt: skip
 NAME_OF_EDIT = N_("Line {line:n}: {field}"), N_("{target}: {field}")
 BALL_LEAST = 0.04
@@ -53,22 +56,23 @@ class LinesList(QWidget):
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self._work = workspace
-        self.table = NumberTable("design_lines", gettext("Lines of the plan"), LINE_FIELDS)
+        self.table = NumberTable("design_lines", gettext("Lines of the survey plan"), LINE_FIELDS)
         self.table.edited.connect(self._edit)
         self.table.chosen.connect(lambda row: workspace.select(line=row))
         buttons = _row(
-            (gettext("Add"), "add_line",
-             gettext("Add the selected line in the opposite direction (Insert)"),
+            (gettext("Add line"), "add_line",
+             gettext("Add a line in the direction opposite to the selected line (Insert)"),
              workspace.add_line),
             (gettext("Duplicate"), "duplicate_line",
-             gettext("Survey the selected line once more (Ctrl+D)"),
+             gettext("Add a copy of the selected line (Ctrl+D)"),
              lambda: workspace.add_line(again=True)),
             (gettext("Remove"), "remove_line", gettext("Remove the selected line (Delete)"),
              workspace.remove_line),
-            (gettext("Earlier"), "line_earlier",
-             gettext("Move the line one place forward (Alt+Up)"),
+            (gettext("Survey earlier"), "line_earlier",
+             gettext("Move the selected line one position earlier in the survey order (Alt+Up)"),
              lambda: workspace.sail_line(True)),
-            (gettext("Later"), "line_later", gettext("Move the line one place back (Alt+Down)"),
+            (gettext("Survey later"), "line_later",
+             gettext("Move the selected line one position later in the survey order (Alt+Down)"),
              lambda: workspace.sail_line(False)),
         )  # fmt: skip
         layout = widgets.column(self, 8)
@@ -114,15 +118,19 @@ class TargetsList(QWidget):
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
         self._work = workspace
-        self.table = NumberTable("design_targets", gettext("Targets of the plan"), TARGET_FIELDS)
+        self.table = NumberTable(
+            "design_targets", gettext("Targets of the survey plan"), TARGET_FIELDS
+        )
         self.table.edited.connect(self._edit)
         self.table.chosen.connect(lambda row: workspace.select(target=row))
         buttons = _row(
             (gettext("Add board"), "add_board",
-             gettext("Add a board, {distance} to the right (Insert)", distance=_length(2.0)),
+             gettext("Add a board {distance} to the right of the selected target (Insert)",
+                     distance=_length(2.0)),
              workspace.add_target),
             (gettext("Add sphere"), "add_ball",
-             gettext("Add a sphere of {diameter}, {distance} to the right",
+             gettext("Add a sphere of diameter {diameter}, {distance} to the right of the "
+                     "selected target",
                      diameter=_length(0.2), distance=_length(2.0)),
              lambda: workspace.add_target(ball=True)),
             (gettext("Remove"), "remove_target", gettext("Remove the selected target (Delete)"),
@@ -143,7 +151,7 @@ class TargetsList(QWidget):
         others = [t.name for k, t in enumerate(self._work.titled.plan.targets) if k != row]
         if name == "name" and value in others:
             self._work.refused.emit(
-                gettext("{name}: another target has this name. Choose another name.", name=value)
+                gettext("Another target has the name {name}. Choose another name.", name=value)
             )
             return
         if name == "flatness" and value is not None:

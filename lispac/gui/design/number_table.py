@@ -171,12 +171,12 @@ class NumberTable(QTableWidget):
         if field.words or field.choices:
             return tip
         tip = gettext(
-            "{tip}. Range: {low} to {high} {unit}",
+            "{tip}. Allowed values: {low} to {high} {unit}",
             tip=tip, low=units.localised(field.limit(field.low)),
             high=units.localised(field.limit(field.high)), unit=field.sign,
         ).rstrip()  # fmt: skip
         if field.empty:
-            tip = gettext("{tip}. Empty: {meaning}", tip=tip, meaning=gettext(field.empty))
+            tip = gettext("{tip}. If empty: {meaning}", tip=tip, meaning=gettext(field.empty))
         return tip
 
     def show_rows(self, rows: Sequence[Sequence[float | str | None]], current: int) -> None:

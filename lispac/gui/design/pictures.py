@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 NOTHING = N_(
-    "Scenarios (F9) show the predicted precision with one quantity changed at a time. Simulated "
-    "surveys (F10) check the predicted standard deviations."
+    "There are no figures yet. Press F9 to predict the precision while one quantity varies, or "
+    "F10 to check the prediction with simulated surveys."
 )
-LESS_TIME = N_("time on site")
+LESS_TIME = N_("precision and time on site")
 ERRORS = N_("errors of simulated surveys")
-OF_THESIS = N_("{scenario} (wall and boards of the thesis)")
+OF_THESIS = N_("{scenario} (for the wall and boards of the thesis)")
 
 
 class PicturesPanel(QWidget):

@@ -34,9 +34,9 @@ class PlanView(Canvas):
         )  # fmt: skip
         self.setToolTip(
             gettext(
-                "Drag a line to move it, its arrow to turn it (in steps of 5°, with Shift "
-                "continuously). Page Up/Down selects a line, Left/Right turns it, Up/Down moves "
-                "it, Insert adds a line, Delete removes it."
+                "Drag a line to move it. Drag its arrow to turn it in steps of 5°, or "
+                "continuously with Shift. Page Up/Down selects a line, Left/Right turns it, "
+                "Up/Down moves it, Insert adds a line, Delete removes it."
             )
         )
         self._line: Line | None = None

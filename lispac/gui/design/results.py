@@ -21,7 +21,7 @@ from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import cautions
 
 HEADS = ("plan", "thesis")
-TITLES = N_("this plan"), N_("thesis")
+TITLES = N_("this plan"), N_("thesis plan")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
 PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 
@@ -64,7 +64,7 @@ class ResultsPanel(QScrollArea):
                 shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 shown.setAccessibleName(
                     gettext(
-                        "Standard deviation of {angle}, {plan}, {unit}",
+                        "Standard deviation of {angle} ({plan}), in {unit}",
                         angle=named, plan=gettext(TITLES[column - 1]), unit=unit,
                     )
                 )  # fmt: skip
@@ -74,7 +74,10 @@ class ResultsPanel(QScrollArea):
         layout.addLayout(grid)
         self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
         self.correlation.setToolTip(
-            gettext("Correlations: close to 1 or −1, two angles cannot be separated")
+            gettext(
+                "Correlations between the angles. Two angles cannot be separated if their "
+                "correlation is close to 1 or −1."
+            )
         )
         layout.addWidget(self.correlation)
         self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
@@ -134,7 +137,7 @@ class ResultsPanel(QScrollArea):
         pairs = zip(map(gettext, PAIRS), self._told.correlations, strict=True)
         separator = ", " if current_language() == "en" else " ; "
         self.correlation.setText(
-            gettext("Correlation: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
+            gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
         )
         self._show_points()
 
@@ -201,11 +204,21 @@ def _count(counts, target: str, line: str) -> str:
 
 def _columns() -> tuple[Column, Column, Column]:
     return (
-        Column(gettext("Without"), gettext("Target or line that is excluded"), words=True),
+        Column(
+            gettext("Omitted item"),
+            gettext("Target or line omitted from the survey plan"),
+            words=True,
+        ),
         Column(
             gettext("Largest σ (deg)"),
-            gettext("Largest of the three standard deviations without it"),
+            gettext("Largest of the three standard deviations if this target or line is omitted"),
             base="°",
         ),
-        Column(gettext("Factor"), gettext("Ratio to the largest standard deviation with it")),
+        Column(
+            gettext("Factor"),
+            gettext(
+                "Largest standard deviation if this target or line is omitted, divided by that of "
+                "the whole plan"
+            ),
+        ),
     )

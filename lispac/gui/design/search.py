@@ -16,7 +16,7 @@ from lispac.language import N_, LazyText, gettext
 
 FACTORS = {
     N_("POS errors as specified"): (1.0,),
-    N_("POS errors from half to twice those specified"): (0.5, 1.0, 2.0),
+    N_("0.5, 1 and 2 times the specified POS errors"): (0.5, 1.0, 2.0),
 }
 
 
@@ -37,39 +37,49 @@ class SearchPanel(QScrollArea):
         self.criterion = widgets.Choice(
             "search_criterion",
             list(map(gettext, CRITERIA.values())),
-            gettext("Quantity that the best plan minimises"),
+            gettext("Quantity that the search minimises"),
         )
         self.factors = widgets.Choice(
             "search_factors",
             list(map(gettext, FACTORS)),
-            gettext("POS errors to be expected; the mean over them is minimised"),
+            gettext(
+                "POS errors assumed in the search. If there are several levels, the mean "
+                "result is minimised."
+            ),
         )
         for choice in (self.criterion, self.factors):
             choice.setAccessibleName(choice.toolTip())
         self.plans = widgets.number(
             "search_plans", suffix="", decimals=0, low=100, high=1_000_000, step=1000,
             tip=gettext(
-                "Approximate number of plans to evaluate where there are too many to evaluate all, "
-                "{low:n} to {high:n}", low=100, high=1_000_000,
+                "Approximate number of survey plans to evaluate, {low:n} to {high:n}. If fewer "
+                "plans are possible, all are evaluated.", low=100, high=1_000_000,
             ),
         )  # fmt: skip
         self.plans.setValue(5000)
         self.plans.setGroupSeparatorShown(True)
         self.read = widgets.button(
-            gettext("Site file…"), "search_file", icon="folder-open-outline",
-            tip=gettext("Read the wall, the system, the limits and the existing targets of a site"),
+            gettext("Open site file…"), "search_file", icon="folder-open-outline",
+            tip=gettext("Read the wall, the survey system, the limits and the existing targets "
+                        "from a site file"),
         )  # fmt: skip
         self.forget = widgets.button(
-            gettext("Without file"),
+            gettext("Close site file"),
             "search_no_file",
-            tip=gettext("Use the wall and the system of the plan"),
+            tip=gettext(
+                "Use the wall and the survey system of the survey plan instead of those "
+                "of the site file"
+            ),
         )
         self.find = widgets.button(
             gettext("Find the best plan"), "search_find", primary=True,
-            tip=gettext("Search in the background; the best plan replaces this one (undo reverts)"),
+            tip=gettext("Search in the background and replace this plan with the best one. Undo "
+                        "restores this plan."),
         )  # fmt: skip
         self.cancel = widgets.button(
-            gettext("Cancel"), "search_cancel", tip=gettext("Stop the search; nothing is changed")
+            gettext("Cancel"),
+            "search_cancel",
+            tip=gettext("Stop the search without changing the survey plan"),
         )
         self.about_file = widgets.label("", "muted", wrap=True, name="search_about_file")
         self.said = widgets.label("", "hint", wrap=True, name="search_said")
@@ -80,9 +90,9 @@ class SearchPanel(QScrollArea):
         left.addWidget(self.limits)
         left.addStretch(1)
         form = QFormLayout()
-        form.addRow(gettext("Minimise"), self.criterion)
+        form.addRow(gettext("Quantity to minimise"), self.criterion)
         form.addRow(gettext("POS errors"), self.factors)
-        form.addRow(gettext("Plans"), self.plans)
+        form.addRow(gettext("Plans to evaluate"), self.plans)
         files = QHBoxLayout()
         files.addWidget(self.read)
         files.addWidget(self.forget)
@@ -172,12 +182,12 @@ class SearchResult:
         value = sigma_text(self.value) + (unit if unit in "°′″" else f" {unit}")
         if self.all_evaluated:
             return gettext(
-                "Best plan: {criterion} {value}. All {count:n} plans were evaluated. Undo restores "
-                "the former plan.",
+                "The best of all {count:n} possible plans replaces the former plan ({criterion}: "
+                "{value}). Undo restores the former plan.",
                 criterion=criterion, value=value, count=self.evaluated,
             )  # fmt: skip
         return gettext(
-            "Best plan: {criterion} {value}. {count:n} of a larger number of plans were evaluated. "
-            "Undo restores the former plan.",
+            "The best of {count:n} evaluated plans replaces the former plan ({criterion}: "
+            "{value}). Not all possible plans were evaluated. Undo restores the former plan.",
             criterion=criterion, value=value, count=self.evaluated,
         )  # fmt: skip

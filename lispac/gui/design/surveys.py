@@ -14,9 +14,9 @@ from lispac.language import N_, gettext
 
 MOST = 5000
 HINT = N_(
-    "Each simulated survey has form errors of the targets, LiDAR noise, correlated POS errors and "
-    "a rolling vessel, and is adjusted like a real one. The scatter of the estimated angles about "
-    "the truth is compared with the prediction."
+    "Each survey is simulated with form errors of the targets, LiDAR noise, correlated POS errors "
+    "and vessel roll, and then adjusted like a real survey. The scatter of the estimated angles "
+    "about the true angles is compared with the predicted standard deviations."
 )
 
 
@@ -49,15 +49,20 @@ class SurveysPanel(QScrollArea):
         self.surveys.setValue(200)
         self.seed = widgets.number(
             "surveys_seed", suffix="", decimals=0, low=0, high=999_999_999, step=1,
-            tip=gettext("Seed of the random numbers: the same seed gives the same surveys"),
+            tip=gettext(
+                "Seed of the random number generator; the same seed gives the same surveys"
+            ),
         )  # fmt: skip
         self.seed.setValue(2027)
         for field in (self.surveys, self.seed):
             field.setGroupSeparatorShown(field is self.surveys)
-        self.flatness = QCheckBox(gettext("Form error of the targets is known"))
+        self.flatness = QCheckBox(gettext("Use the known form error of the targets"))
         self.flatness.setObjectName("surveys_flatness")
         self.flatness.setToolTip(
-            gettext("Otherwise the adjustment estimates it from the data, as in a real survey")
+            gettext(
+                "If not ticked, the adjustment estimates the form error from the data, as in "
+                "a real survey"
+            )
         )
         self.start = widgets.button(
             gettext("Simulate surveys"), "surveys_start", primary=True,
@@ -65,15 +70,16 @@ class SurveysPanel(QScrollArea):
         )  # fmt: skip
         self.cancel = widgets.button(
             gettext("Cancel"), "surveys_cancel",
-            tip=gettext("Stop; the result is shown if at least {count:n} surveys are finished",
+            tip=gettext("Stop the simulation. The result is shown if at least {count:n} surveys "
+                        "are finished.",
                         count=ENOUGH),
         )  # fmt: skip
         self.answer = AnglesTable("surveys_answer", gettext(HINT))
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()
-        form.addRow(gettext("Surveys"), self.surveys)
-        form.addRow(gettext("Seed"), self.seed)
+        form.addRow(gettext("Number of surveys"), self.surveys)
+        form.addRow(gettext("Random seed"), self.seed)
         buttons = QHBoxLayout()
         buttons.addWidget(self.start)
         buttons.addWidget(self.cancel)

@@ -41,16 +41,16 @@ class SystemPanel(QScrollArea):
         self._work, self._showing = workspace, False
         self.title = QLineEdit()
         self.title.setObjectName("design_title")
-        self.title.setAccessibleName(gettext("Title of the plan"))
-        self.title.setToolTip(gettext("Title of the plan, printed on the field plan"))
+        self.title.setAccessibleName(gettext("Title of the survey plan"))
+        self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.Choice(
             "design_grade", [*map(gettext, GRADES), gettext(OWN)],
-            gettext("Class of the POS: typical values of data sheets"),
+            gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.Choice(
             "design_pos_errors", list(map(gettext, NAMES.values())),
-            gettext("Stochastic model of the POS errors: correlated in time, or uncorrelated"),
+            gettext("Stochastic model of the POS errors: correlated or uncorrelated in time"),
         )  # fmt: skip
         for choice in (self.grade, self.model):
             choice.setAccessibleName(choice.toolTip())
@@ -79,19 +79,23 @@ class SystemPanel(QScrollArea):
         self.profiles = _number("design_profiles", "Hz", 1, 0.1, 10_000.0, 10.0,
                                 gettext("Profile rate of the scanner"))  # fmt: skip
         self.range_sigma = _number("design_range_sigma", "mm", 2, 0.01, 1000.0, 0.5,
-                                   gettext("Standard deviation of a range"))  # fmt: skip
+                                   gettext("Standard deviation of a range measurement")
+                                   )  # fmt: skip
         self.max_range = _number("design_max_range", "m", 0, 1.0, 10_000.0, 10.0,
                                  gettext("Maximum range of the scanner"))  # fmt: skip
         self.minutes = _number("design_minutes_line", "min", 1, 0.1, 600.0, 0.5,
-                               gettext("Time from one line to the next, with turn"))  # fmt: skip
+                               gettext("Time from the start of one line to the start of the next, "
+                                       "turn included"))  # fmt: skip
         self.facing = widgets.number(
             "design_facing", suffix=" °", decimals=0, low=0.0, high=359.0, step=5.0,
-            tip=gettext("Azimuth that the wall faces; rotates the whole site"), ranged=True,
-            fixed=True,
+            tip=gettext("Azimuth of the direction that the wall faces (a change rotates the whole "
+                        "site)"),
+            ranged=True, fixed=True,
         )  # fmt: skip
         self.library = widgets.button(
-            gettext("From the sensor library…"), "design_sensors",
-            tip=gettext("Use the standard deviations of a scanner and an INS/GNSS of the library"),
+            gettext("Choose from sensor library…"), "design_sensors",
+            tip=gettext("Use the standard deviations of a scanner and an INS/GNSS from the sensor "
+                        "library"),
         )  # fmt: skip
         self.library.clicked.connect(lambda _=False: self.library_asked.emit())
         form = QFormLayout()
@@ -100,13 +104,13 @@ class SystemPanel(QScrollArea):
         for label, fields in (
             (gettext("Title"), [self.title]), (gettext("Sensors"), [self.library]),
             (gettext("POS class"), [self.grade]), (gettext("Stochastic model"), [self.model]),
-            (gettext("σ north, east, up"), self.position),
-            (gettext("σ roll, pitch, heading"), self.attitude),
-            (gettext("Correlation time: position, attitude"), self.times),
+            (gettext("Position σ (north, east, up)"), self.position),
+            (gettext("Attitude σ (roll, pitch, heading)"), self.attitude),
+            (gettext("Correlation time (position, attitude)"), self.times),
             (gettext("Form error of targets"), [self.flatness]),
             (gettext("Pulse rate, profile rate"), [self.pulses, self.profiles]),
             (gettext("Range σ, maximum range"), [self.range_sigma, self.max_range]),
-            (gettext("Time per line"), [self.minutes]), (gettext("Wall faces"), [self.facing]),
+            (gettext("Time per line"), [self.minutes]), (gettext("Wall azimuth"), [self.facing]),
         ):  # fmt: skip
             row = QHBoxLayout()
             row.setContentsMargins(0, 0, 0, 0)
@@ -194,7 +198,7 @@ class SystemPanel(QScrollArea):
             plan = replace(plan, flatness=self.flatness.value() / 1000)
         elif name == "design_minutes_line":
             plan = replace(plan, interval=60 * self.minutes.value())
-        self._work.edit(gettext_lazy("System"), replace(self._work.titled, plan=plan), name)
+        self._work.edit(gettext_lazy("Survey system"), replace(self._work.titled, plan=plan), name)
 
     def _change(self, name: LazyText, system: System) -> None:
         self._work.edit(name, edits.with_system(self._work.titled, system))
@@ -209,4 +213,6 @@ class SystemPanel(QScrollArea):
             renamed = replace(self._work.titled, title=title.strip())
             self._work.edit(gettext_lazy("Title"), renamed, "title")
         else:
-            self._work.refused.emit(gettext("Enter a title for the plan."))
+            self._work.refused.emit(
+                gettext("The title is empty. Enter a title for the survey plan.")
+            )

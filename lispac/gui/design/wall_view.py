@@ -29,10 +29,10 @@ class WallView(Canvas):
     def __init__(self, workspace: Workspace) -> None:
         unit = units.unit("m").sign
         super().__init__(
-            "wall_view", gettext("View of the targets on the wall"), workspace,
+            "wall_view", gettext("Front view of the wall and its targets"), workspace,
             (
-                gettext("along the wall ({unit})", unit=unit),
-                gettext("above the POS ({unit})", unit=unit),
+                gettext("position along the wall ({unit})", unit=unit),
+                gettext("height above the POS ({unit})", unit=unit),
             ),
         )  # fmt: skip
         wide, fine = (
@@ -41,7 +41,7 @@ class WallView(Canvas):
         )
         self.setToolTip(
             gettext(
-                "Drag a target to move it (in steps of {coarse}, with Shift of {fine}). Page "
+                "Drag a target to move it in steps of {coarse}, or of {fine} with Shift. Page "
                 "Up/Down selects a target, the arrow keys move it, Insert adds a board, Delete "
                 "removes the target.",
                 coarse=wide,

@@ -33,49 +33,55 @@ from lispac.language import N_, gettext, gettext_lazy
 from lispac.workflow.replay import Replay
 
 COMPARE = N_(
-    "After the survey, open its project in the main window and its plan here, then compare (F11). "
-    "Targets are matched by name, lines by heading."
+    "After the survey, open the project in the main window and the survey plan in this window, "
+    "then press F11 to compare them. Targets are matched by name, lines by heading."
 )
 NOTE_MS = 6000
 Keys = QKeySequence.StandardKey
 
 # name: (text, short text, icon, keys, tip)
 ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
-    "new": (N_("&New plan"), N_("New"), "file-outline", Keys.New,
-            N_("Start with the plan of the thesis")),
-    "open": (N_("&Open plan…"), N_("Open"), "folder-open-outline", Keys.Open, N_("Open a plan")),
-    "save": (N_("&Save plan"), N_("Save"), "content-save-outline", Keys.Save, N_("Save the plan")),
-    "save_as": (N_("Save plan &as…"), N_("Save as"), "", Keys.SaveAs,
-                N_("Save the plan in another file")),
+    "new": (N_("&New survey plan"), N_("New"), "file-outline", Keys.New,
+            N_("Create a survey plan with the targets and lines of the thesis")),
+    "open": (N_("&Open survey plan…"), N_("Open"), "folder-open-outline", Keys.Open,
+             N_("Open a survey plan")),
+    "save": (N_("&Save survey plan"), N_("Save"), "content-save-outline", Keys.Save,
+             N_("Save the survey plan")),
+    "save_as": (N_("Save survey plan &as…"), N_("Save as"), "", Keys.SaveAs,
+                N_("Save the survey plan in another file")),
     "page": (N_("&Field plan…"), N_("Field plan"), "file-document-outline", "Ctrl+E",
-             N_("Write a page for the field as PDF: drawing, boards and the order of the lines")),
-    "close": (N_("&Close"), N_("Close"), "", Keys.Close, N_("Close this window and keep the plan")),
+             N_("Save the field plan as PDF: one page with a drawing, the targets and the order "
+                "of the lines")),
+    "close": (N_("&Close"), N_("Close"), "", Keys.Close,
+              N_("Close this window without discarding the survey plan")),
     "undo": (N_("&Undo"), N_("Undo"), "undo", Keys.Undo, N_("Undo the last edit")),
     "redo": (N_("&Redo"), N_("Redo"), "redo", ("Ctrl+Y", "Ctrl+Shift+Z"),
              N_("Redo the edit that was undone")),
-    "add_line": (N_("Add &line"), N_("Line"), "plus", "Ctrl+L",
-                 N_("Add the selected line in the opposite direction")),
+    "add_line": (N_("Add &line"), N_("Add line"), "plus", "Ctrl+L",
+                 N_("Add a line in the direction opposite to the selected line")),
     "duplicate": (N_("&Duplicate line"), N_("Duplicate"), "content-copy", "Ctrl+D",
-                  N_("Survey the selected line once more")),
-    "earlier": (N_("Line &earlier"), N_("Earlier"), "", "Alt+Up",
-                N_("Move the selected line one place forward in the order")),
-    "later": (N_("Line la&ter"), N_("Later"), "", "Alt+Down",
-              N_("Move the selected line one place back in the order")),
-    "add_board": (N_("Add &board"), N_("Board"), "square-outline", "Ctrl+B", N_("Add a board")),
-    "add_ball": (N_("Add &sphere"), N_("Sphere"), "circle-outline", "Ctrl+Shift+B",
+                  N_("Add a copy of the selected line")),
+    "earlier": (N_("Survey line &earlier"), N_("Survey earlier"), "", "Alt+Up",
+                N_("Move the selected line one position earlier in the survey order")),
+    "later": (N_("Survey line la&ter"), N_("Survey later"), "", "Alt+Down",
+              N_("Move the selected line one position later in the survey order")),
+    "add_board": (N_("Add &board"), N_("Add board"), "square-outline", "Ctrl+B",
+                  N_("Add a flat target board")),
+    "add_ball": (N_("Add &sphere"), N_("Add sphere"), "circle-outline", "Ctrl+Shift+B",
                  N_("Add a spherical target")),
     "fit": (N_("&Fit the 3D view"), N_("Fit view"), "fit-to-page-outline", "Ctrl+0",
             N_("Show the whole site in the 3D view")),
     "scenarios": (N_("Sc&enarios"), N_("Scenarios"), "chart-bar", "F9",
-                  N_("Predict the precision with one quantity changed at a time, in both "
-                     "stochastic models")),
-    "surveys": (N_("Simulate &surveys…"), N_("Surveys"), "dice-multiple-outline", "F10",
+                  N_("Predict the precision while one quantity varies, with correlated and with "
+                     "uncorrelated POS errors")),
+    "surveys": (N_("Simulate &surveys…"), N_("Simulate surveys"), "dice-multiple-outline", "F10",
                 N_("Simulate this survey many times to check the predicted standard deviations")),
     "compare": (N_("Compare with the &open project"), N_("Compare"), "compare-horizontal", "F11",
-                N_("Compare predicted and obtained standard deviations of the open project")),
+                N_("Compare the standard deviations of the open project with those predicted for "
+                   "the survey plan")),
     "cancel": (N_("&Cancel the running task"), N_("Cancel"), "close-circle-outline", "Ctrl+.",
                N_("Stop the running task; nothing is changed")),
-    "keys": (N_("&Mouse and keys"), N_("Keys"), "keyboard-outline", "F1",
+    "keys": (N_("&Mouse and keys"), N_("Mouse and keys"), "keyboard-outline", "F1",
              N_("Show the mouse and keyboard actions")),
 }  # fmt: skip
 MENUS = {
@@ -147,7 +153,7 @@ class DesignWindow(QMainWindow):
         self._stage, self.pictures = QWidget(), PicturesPanel()
         QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
         _fill(self.views, (
-            (N_("Wall from the water"), self.wall_view), (N_("3D"), self._stage),
+            (N_("Wall, seen from the water"), self.wall_view), (N_("3D"), self._stage),
             (N_("Figures"), self.pictures),
         ))  # fmt: skip
         self.views.currentChanged.connect(self._view_chosen)
@@ -241,7 +247,7 @@ class DesignWindow(QMainWindow):
     def show_pictures(self) -> None:
         """Bring what long work found to the front, but for a drag it would take the view from."""
         if self.workspace.dragging:
-            self.note(gettext("The figures are ready in the tab Figures."))
+            self.note(gettext("The figures are ready. Open the tab Figures to see them."))
         else:
             self.views.setCurrentWidget(self.pictures)
 
@@ -254,7 +260,8 @@ class DesignWindow(QMainWindow):
     def show_compared(self, found: Replay, project: str, titled: TitledPlan) -> None:
         """Show the survey of a project against a plan."""
         head = gettext_lazy(
-            "{project} compared with {plan}: standard deviations (deg)",
+            "Standard deviations (deg) of the project {project} compared with the survey plan "
+            "{plan}",
             project=project, plan=titled.title,
         )  # fmt: skip
         self.compared.show_result(head, found, titled.plan)
@@ -278,8 +285,8 @@ class DesignWindow(QMainWindow):
             self.view3d = View3D(self.workspace, viewport)
             viewport.widget.setToolTip(
                 gettext(
-                    "Ctrl+click on a target to select it, on the wall to move the selected target "
-                    "there. Drag a handle of a target to move it."
+                    "Ctrl+click a target to select it. To move the selected target, Ctrl+click "
+                    "the wall or drag a handle of the target."
                 )
             )
         self.view3d.show()

@@ -129,7 +129,8 @@ class Workspace(QObject):
         if len(lines) >= edits.MOST_LINES:
             self.refused.emit(
                 gettext(
-                    "A plan has at most {most:n} lines. Remove a line first.", most=edits.MOST_LINES
+                    "A survey plan can have at most {most:n} lines. Remove a line first.",
+                    most=edits.MOST_LINES,
                 )
             )
             return
@@ -168,7 +169,7 @@ class Workspace(QObject):
         if len(there) >= edits.MOST_TARGETS:
             self.refused.emit(
                 gettext(
-                    "A plan has at most {most:n} targets. Remove a target first.",
+                    "A survey plan can have at most {most:n} targets. Remove a target first.",
                     most=edits.MOST_TARGETS,
                 )
             )

@@ -21,7 +21,8 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     box.setTextFormat(Qt.TextFormat.RichText)
     box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
     purpose = gettext(
-        "Boresight calibration of a LiDAR and an INS/GNSS on a vessel, with its uncertainties."
+        "LISPAC calibrates the boresight of a vessel-mounted LiDAR with respect to the INS/GNSS "
+        "and estimates the uncertainty of the angles."
     )
     frame = gettext("Local coordinates are North, West and Up in metres.")
     licence = gettext("Licence: BSD 3-clause.")

@@ -11,17 +11,17 @@ from lispac.report.budget_values import Budget
 
 COMPONENTS = (
     (
-        N_("Horiz. {distance:m.0} m (cm)"),
+        N_("Horizontal error (cm) at {distance:m.0} m"),
         N_("Horizontal error, 1 σ, {distance:m.0} m from the scanner"),
         "horizontal_m",
     ),
     (
-        N_("Vert. {distance:m.0} m (cm)"),
+        N_("Vertical error (cm) at {distance:m.0} m"),
         N_("Vertical error, 1 σ, {distance:m.0} m from the scanner"),
         "vertical_m",
     ),
     (
-        N_("Across {distance:m.0} m (cm)"),
+        N_("Error across beam (cm) at {distance:m.0} m"),
         N_("Error across the beam, 1 σ, {distance:m.0} m from the scanner"),
         "across_beam_m",
     ),
@@ -45,15 +45,16 @@ class BudgetDialog(StudyDialog):
         super().__init__(
             "budget", gettext("Error budget"),
             gettext(
-                "Effect of each error source on a point: standard deviations in centimetres, from "
-                "the derivatives of the adjustment."
+                "The table shows the standard deviation of a georeferenced point due to each "
+                "error source, in centimetres. It is propagated with the derivatives used in the "
+                "adjustment."
             ),
             table, parent,
         )  # fmt: skip
         self._budget = budget
         self.beam = widgets.Choice(
             "budget_beam",
-            [gettext("Beam {direction}", direction=each.beam) for each in budget.beams],
+            [gettext("Beam direction: {direction}", direction=each.beam) for each in budget.beams],
             gettext("Direction of the beam"),
         )
         self.beam.currentIndexChanged.connect(self._show)
@@ -76,6 +77,13 @@ class BudgetDialog(StudyDialog):
                     for _, _, name in COMPONENTS
                 ]
             )
-            tip = gettext("Uncertainty not given; not included") if each.at_distance is None else ""
+            tip = (
+                gettext(
+                    "The uncertainty of this source was not given, so the budget does not "
+                    "include it."
+                )
+                if each.at_distance is None
+                else ""
+            )
             rows.append(Row((Cell(str(each.source)), *figures), marked=each in sums, tip=tip))
         self.show_rows(rows)

@@ -27,7 +27,7 @@ class CacheBox(QWidget):
         self.choose = widgets.button(
             gettext("Choose…"), "settings_cache_choose",
             tip=gettext(
-                "Choose another folder for the demo survey, compiled code and lists of fonts. "
+                "Choose another folder for the demo survey, compiled code and font lists. "
                 "Projects and the contents of the former folder are not moved."
             ),
         )  # fmt: skip
@@ -122,7 +122,9 @@ class CacheBox(QWidget):
 
     def _show_size(self, place: Path) -> None:
         found = caches.size(place)
-        self.size.setText(gettext("{size:mb.1} MB", size=found) if found else gettext("empty"))
+        self.size.setText(
+            gettext("{size:mb.1} MB", size=found) if found else gettext("The cache is empty")
+        )
         self.empty.setEnabled(found > 0)
 
     def _show_problem(self, text: str) -> None:

@@ -25,26 +25,44 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.absolute import REACH, SIGMA
 from lispac.workflow.target_systems import LOCAL
 
-AS_IN_FILE = N_("As in the file, otherwise the local frame")
+AS_IN_FILE = N_("System of the file, or local frame if it has none")
 DISTANCES = (
     (
-        N_("Mean before (mm)"),
-        N_("Mean distance from the reference before calibration, positive towards the vessel"),
+        N_("Mean before calibration (mm)"),
+        N_(
+            "Mean distance of the line from the reference before calibration, positive towards the "
+            "vessel"
+        ),
     ),
     (
-        N_("± 95 % before (mm)"),
-        N_("95 % confidence of the mean before calibration, including POS and reference"),
-    ),
-    (N_("RMS before (mm)"), N_("Root mean square distance before calibration")),
-    (
-        N_("Mean after (mm)"),
-        N_("Mean distance from the reference after calibration, positive towards the vessel"),
+        N_("± 95 % before calibration (mm)"),
+        N_(
+            "Half-width of the 95 % confidence interval of the mean before calibration. It "
+            "includes the uncertainties of the POS and the reference."
+        ),
     ),
     (
-        N_("± 95 % after (mm)"),
-        N_("95 % confidence of the mean after calibration, including POS, reference and boresight"),
+        N_("RMS before calibration (mm)"),
+        N_("Root mean square distance of the line from the reference before calibration"),
     ),
-    (N_("RMS after (mm)"), N_("Root mean square distance after calibration")),
+    (
+        N_("Mean after calibration (mm)"),
+        N_(
+            "Mean distance of the line from the reference after calibration, positive towards the "
+            "vessel"
+        ),
+    ),
+    (
+        N_("± 95 % after calibration (mm)"),
+        N_(
+            "Half-width of the 95 % confidence interval of the mean after calibration. It includes "
+            "the uncertainties of the POS, the reference and the boresight."
+        ),
+    ),
+    (
+        N_("RMS after calibration (mm)"),
+        N_("Root mean square distance of the line from the reference after calibration"),
+    ),
 )
 """Titles and tips of the columns of distances, in millimetres."""
 
@@ -85,17 +103,17 @@ class CheckDialog(QDialog):
             widgets.label(
                 gettext(
                     "The lines are compared with a static scan of the site or with surveyed "
-                    "points. A list of points has a name and three coordinates for each point, and "
-                    "optionally its standard deviation and the name of its plane."
+                    "points. Each row of a point list has a name, three coordinates and, "
+                    "optionally, a standard deviation and the name of the plane of the point."
                 ),
                 wrap=True,
             )
         )
         self.file = QLineEdit()
         self.file.setObjectName("check_file")
-        self.file.setPlaceholderText(gettext("LAS, LAZ, E57, PTS or text"))
+        self.file.setPlaceholderText(gettext("LAS, LAZ, E57, PTS or text file"))
         browse = widgets.button(
-            gettext("Browse…"), "check_browse", tip=gettext("Choose the reference")
+            gettext("Browse…"), "check_browse", tip=gettext("Choose the reference file")
         )
         browse.setAutoDefault(False)
         browse.clicked.connect(self._browse)
@@ -114,16 +132,17 @@ class CheckDialog(QDialog):
         self.sigma = widgets.number(
             "check_sigma", suffix=" mm", decimals=1, low=0, high=1000, step=1,
             tip=gettext(
-                "Standard deviation of the reference: for a scan the error common to all points "
-                "(registration and control), for a list that of points without their own"
+                "Standard deviation of the reference. For a scan: error common to all points, "
+                "from registration and control. For a point list: value for points without their "
+                "own standard deviation."
             ),
         )  # fmt: skip
         self.sigma.setValue(1000 * SIGMA)
         self.reach = widgets.number(
             "check_reach", suffix=" m", decimals=2, low=0.05, high=20, step=0.25,
             tip=gettext(
-                "Largest distance between line and reference; must exceed the displacement caused "
-                "by the prior boresight"
+                "Largest distance at which a line is compared with the reference. It must exceed "
+                "the displacement caused by the error of the prior boresight."
             ),
         )  # fmt: skip
         self.reach.setValue(REACH)
@@ -131,12 +150,12 @@ class CheckDialog(QDialog):
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(gettext("Reference"), row)
-        form.addRow(gettext("Coordinates"), self.system)
-        form.addRow(gettext("Heights"), self.height)
-        form.addRow(gettext("Reference (1 σ)"), self.sigma)
+        form.addRow(gettext("Coordinate system"), self.system)
+        form.addRow(gettext("Vertical system"), self.height)
+        form.addRow(gettext("Reference uncertainty (1 σ)"), self.sigma)
         form.addRow(gettext("Search distance"), self.reach)
         layout.addLayout(form)
-        self.check = widgets.button(gettext("Check"), "check_run", primary=True)
+        self.check = widgets.button(gettext("Run check"), "check_run", primary=True)
         self.check.setDefault(True)
         self.check.clicked.connect(self.accept)
         cancel = widgets.button(gettext("Cancel"), "check_cancel")
@@ -168,7 +187,7 @@ class CheckDialog(QDialog):
 
     def _browse(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self, gettext("Reference"), str(self._start),
+            self, gettext("Choose the reference file"), str(self._start),
             ";;".join(
                 [
                     gettext(
@@ -193,8 +212,9 @@ class CheckedDialog(StudyDialog):
         super().__init__(
             "checked", gettext("Check against {reference}", reference=found.reference),
             gettext(
-                "Distances of the lines from the reference along its normal, positive towards the "
-                "vessel. The report also contains them."
+                "The table shows the distances of the lines from the reference along the normal "
+                "of the reference, positive towards the vessel. The report contains the same "
+                "values."
             ),
             table, parent,
         )  # fmt: skip
@@ -215,15 +235,25 @@ class CheckedDialog(StudyDialog):
 
 def _columns() -> tuple[Column, ...]:
     return (
-        Column(gettext("Line"), gettext("Each line compared, and all lines together"), words=True),
         Column(
-            gettext("Places"),
-            gettext("Places where line and reference are compared, the same before and after"),
+            gettext("Line"),
+            gettext("Line compared with the reference, or all lines together"),
+            words=True,
+        ),
+        Column(
+            gettext("Compared places"),
+            gettext(
+                "Number of places where line and reference are compared, the same before and "
+                "after calibration"
+            ),
         ),
         *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCES),
         Column(
             gettext("Result"),
-            gettext("Whether the mean after calibration is within its 95 % confidence"),
+            gettext(
+                "The line agrees with the reference if the 95 % confidence interval of the "
+                "mean after calibration includes zero"
+            ),
             words=True,
         ),
     )
@@ -234,7 +264,11 @@ def _row(line: LineAgainstReference, name: Cell) -> Row:
     cells = [name, number(after.distances.n, ",.0f")]
     for state in (line.before, after):
         cells += _figures(state)
-    result = gettext("differs") if after.mean_significant else gettext("agrees")
+    result = (
+        gettext("differs from reference")
+        if after.mean_significant
+        else gettext("agrees with reference")
+    )
     return Row((*cells, Cell(result)), marked=after.mean_significant)
 
 

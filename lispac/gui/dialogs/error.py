@@ -28,13 +28,13 @@ def describe(error: BaseException) -> tuple[str, str]:
         found = system_reason(error)
         reason = message_text(found) if isinstance(found, Message) else found
         if not error.filename:
-            return gettext("A file cannot be used: {reason}.", reason=reason), ""
+            return gettext("A file cannot be read or written: {reason}.", reason=reason), ""
         return gettext("{file}: {reason}.", file=error.filename, reason=reason), ""
     details = "".join(traceback.format_exception(error))
     return (
         gettext(
-            "Unexpected error. The project is as it was before this step. Save it, and send the "
-            "details to the maintainers of the program."
+            "An unexpected error has stopped this step; the project is unchanged. Save the "
+            "project and send the details to the developers of LISPAC."
         ),
         details,
     )

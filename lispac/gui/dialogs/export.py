@@ -41,11 +41,11 @@ from lispac.workflow.target_systems import LOCAL, own_datum
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
     "targets": N_("Points of targets and validation planes"),
-    "planes": N_("Plane files of the targets (25 columns)"),
+    "planes": N_("Points of the target planes (text, 25 columns)"),
     "trajectory": N_("Trajectory"),
 }
 FORMATS = {
-    "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text"),
+    "laz": N_("LAZ (compressed)"), "las": "LAS", "csv": "CSV", "txt": N_("Text (.txt)"),
     "sbet": "SBET (.out)", "text": N_("Text (.txt)"),
 }  # fmt: skip
 BORESIGHTS: dict[Which, str] = {
@@ -74,7 +74,7 @@ class ExportDialog(QDialog):
         )
         self.boresight = widgets.Choice(
             "export_boresight", [gettext(each) for each in BORESIGHTS.values()],
-            gettext("Boresight angles for georeferencing"),
+            gettext("Boresight angles used to georeference the points"),
         )  # fmt: skip
         self.system = system_box("export_system", project, trajectory)
         self.height = QLineEdit()
@@ -83,13 +83,15 @@ class ExportDialog(QDialog):
         self.height.setToolTip(gettext(HEIGHTS_TIP))
         self.datum, self.epoch = QLineEdit(), QLineEdit()
         self.datum.setObjectName("export_datum")
-        self.datum.setPlaceholderText(gettext("As the coordinate system, no datum shift"))
+        self.datum.setPlaceholderText(gettext("Same as the coordinate system (no datum shift)"))
         self.datum.setToolTip(
             gettext("Geographic system of the trajectory, such as EPSG:7912 for ITRF2014")
         )
         self.epoch.setObjectName("export_epoch")
-        self.epoch.setPlaceholderText(gettext("For a time-dependent datum shift, such as 2024.5"))
-        self.epoch.setToolTip(gettext("Date of the survey as a decimal year (yr)"))
+        self.epoch.setPlaceholderText(
+            gettext("Decimal year for a time-dependent datum shift, such as 2024.5")
+        )
+        self.epoch.setToolTip(gettext("Date of the survey as a decimal year"))
         self._preset_datum()
         self.said = widgets.label("", "muted", wrap=True, name="export_said")
         self.form = QComboBox()
@@ -108,10 +110,10 @@ class ExportDialog(QDialog):
         self._rows = form
         form.addRow(gettext("Data"), self.what)
         form.addRow(gettext("Boresight"), self.boresight)
-        form.addRow(gettext("Coordinates"), self.system)
-        form.addRow(gettext("Heights"), self.height)
+        form.addRow(gettext("Coordinate system"), self.system)
+        form.addRow(gettext("Vertical system"), self.height)
         form.addRow(gettext("Trajectory datum"), self.datum)
-        form.addRow(gettext("Epoch (yr)"), self.epoch)
+        form.addRow(gettext("Epoch (year)"), self.epoch)
         form.addRow("", self.said)
         form.addRow(gettext("File format"), self.form)
         form.addRow(gettext("Folder"), place)
@@ -143,7 +145,12 @@ class ExportDialog(QDialog):
         if project.result is None:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
             self.boresight.setEnabled(False)
-            self.boresight.setToolTip(gettext("No boresight has been estimated yet"))
+            self.boresight.setToolTip(
+                gettext(
+                    "Only the prior boresight can be used because no boresight has been estimated "
+                    "yet"
+                )
+            )
         else:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index(which))
         self.what.setCurrentIndex(list(CONTENTS).index(what))
@@ -248,7 +255,11 @@ class ExportDialog(QDialog):
     def _meaning(self) -> Sequence[str | Message]:
         if self._what == "trajectory":
             return [trajectory_datum(self._project)]
-        local = [gettext("North, West and Up in metres from the origin of the project.")]
+        local = [
+            gettext(
+                "The coordinates are north, west and up, in metres from the origin of the project"
+            )
+        ]
         if self._what == "planes":
             return local
         height = self._height
@@ -262,7 +273,7 @@ class ExportDialog(QDialog):
 
     def _browse(self) -> None:
         chosen = QFileDialog.getExistingDirectory(
-            self, gettext("Folder to export to"), self.folder.text()
+            self, gettext("Export folder"), self.folder.text()
         )
         if chosen:
             self.folder.setText(chosen)

@@ -19,16 +19,16 @@ class FindAgainDialog(QDialog):
         layout = widgets.column(self, 16)
         layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # adapts to the folded part
         introduction = gettext(
-            "{target} is searched for at its seed on every line with these settings. The result is "
-            "shown before it replaces the present target.",
+            "With these settings, {target} is searched for again on all lines, starting from its "
+            "seed. The result is shown before it replaces the current target.",
             target=target.name,
         )
         layout.addWidget(widgets.label(introduction, wrap=True))
         self._threshold = widgets.number(
             "again_threshold", suffix=" mm", decimals=0, low=1, high=1000, step=5,
             tip=gettext(
-                "Largest distance of a point from its plane or sphere. A smaller value excludes "
-                "rough edges, a larger one accepts rough or noisy surfaces."
+                "Largest distance between a point of the target and the fitted plane or sphere. A "
+                "smaller value excludes rough edges, a larger one accepts rough or noisy surfaces."
             ),
         )  # fmt: skip
         self._threshold.setValue(1000 * target.threshold)

@@ -19,15 +19,24 @@ DISTANCE = 50.0
 DIFFERENCES = (
     (
         N_("Δ roll (σ)"),
-        N_("Roll minus the mean of earlier calibrations, in σ of that difference"),
+        N_(
+            "Roll minus the mean of earlier calibrations, divided by the standard deviation of the "
+            "difference"
+        ),
     ),
     (
         N_("Δ pitch (σ)"),
-        N_("Pitch minus the mean of earlier calibrations, in σ of that difference"),
+        N_(
+            "Pitch minus the mean of earlier calibrations, divided by the standard deviation of "
+            "the difference"
+        ),
     ),
     (
         N_("Δ yaw (σ)"),
-        N_("Yaw minus the mean of earlier calibrations, in σ of that difference"),
+        N_(
+            "Yaw minus the mean of earlier calibrations, divided by the standard deviation of the "
+            "difference"
+        ),
     ),
 )
 """Titles and tips of the columns of differences."""
@@ -48,7 +57,8 @@ class HistoryDialog(StudyDialog):
             "history", title,
             gettext(
                 "Each calibration is compared with the mean of the earlier ones. A system is a "
-                "vessel with its scanner and INS/GNSS, as named in the details for the report."
+                "combination of vessel, scanner and INS/GNSS, as named in the details for the "
+                "report."
             ),
             table, parent,
         )  # fmt: skip
@@ -82,22 +92,28 @@ class HistoryDialog(StudyDialog):
 
 def _name(system: System) -> str:
     """Names of vessel, scanner and INS/GNSS."""
-    return gettext("a system without names") if system == System() else system.in_words
+    return gettext("unnamed system") if system == System() else system.in_words
 
 
 def _columns() -> list[Column]:
     return [
         Column(gettext("Date"), gettext("First day of the survey"), words=True),
-        Column(gettext("Calibration"), gettext("Project of the calibration"), words=True),
+        Column(gettext("Calibration"), gettext("Name of the calibration project"), words=True),
         *angle_columns(),
         *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCES),
         Column(
             gettext("Displacement at {distance:m.0} m (cm)", distance=DISTANCE),
-            gettext("Largest displacement of a point compared with earlier calibrations"),
+            gettext(
+                "Largest displacement of a point at this distance from the scanner, caused by "
+                "the change of the boresight since the earlier calibrations"
+            ),
         ),
         Column(
             gettext("Result"),
-            gettext("Beyond three sigmas in all angles together, the mounting has moved"),
+            gettext(
+                "The mounting is reported as moved if the change of one angle, or of the three "
+                "angles together, exceeds 3 σ"
+            ),
             words=True,
         ),
     ]
@@ -121,5 +137,7 @@ def _row(entry: Entry) -> Row:
     if change is None:
         result = gettext("first calibration")
     else:
-        result = gettext("has moved") if charted.moved else gettext("agrees")
+        result = (
+            gettext("mounting has moved") if charted.moved else gettext("no significant change")
+        )
     return Row((*cells, Cell(result)), marked=charted.moved, tip=message_text(verdict(entry)))

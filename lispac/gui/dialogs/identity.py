@@ -15,16 +15,16 @@ TIPS = {
     "surveyor": N_("Surveyor responsible for the calibration"),
     "company": N_("Company of the surveyor"),
     "vessel": N_("Name of the vessel"),
-    "site": N_("Site of the survey lines"),
+    "site": N_("Place where the lines were surveyed"),
     "scanner": N_("Maker and model of the LiDAR"),
     "scanner_serial": N_("Serial number of the LiDAR"),
     "pos": N_("Maker and model of the INS/GNSS"),
     "pos_serial": N_("Serial number of the INS/GNSS"),
-    "dates": N_("Day or days of the survey, such as 2026-03-04"),
+    "dates": N_("Date or dates of the survey, such as 2026-03-04"),
     "lever_arm_origin": N_(
         "How the lever arm was determined, such as “total station in dock, 2026-03-04”"
     ),
-    "remarks": N_("Further information for the reader"),
+    "remarks": N_("Other information to print in the report"),
 }
 """Tips of the fields by their names."""
 
@@ -49,7 +49,7 @@ class IdentityDialog(QDialog):
         layout = widgets.column(self, 16)
         layout.addWidget(
             widgets.label(
-                gettext("Blank fields are printed as lines to be filled in by hand."), wrap=True
+                gettext("Empty fields are printed blank, to be filled in by hand."), wrap=True
             )
         )
         form = QFormLayout()
@@ -80,8 +80,8 @@ class IdentityDialog(QDialog):
 
     def _with_button(self, field: QWidget) -> QHBoxLayout:
         take = widgets.button(
-            gettext("From the lines"), "identity_dates_of_lines",
-            tip=gettext("Days (UTC) from the times of the lines"),
+            gettext("Use dates of lines"), "identity_dates_of_lines",
+            tip=gettext("Fill in the survey dates (UTC) from the times of the lines"),
         )  # fmt: skip
         take.setAutoDefault(False)
         take.clicked.connect(self._take_dates)
@@ -98,8 +98,8 @@ class IdentityDialog(QDialog):
         else:
             self.said.setText(
                 gettext(
-                    "The times of the lines are seconds of the day or week, without a date. Type "
-                    "the date."
+                    "The lines do not contain a date: their times are seconds of the day or week. "
+                    "Enter the date of the survey."
                 )
             )
 

@@ -13,12 +13,18 @@ from lispac.workflow.line_quality import Figures, LineQuality
 STATISTICS = (
     (
         N_("Median (mm)"),
-        N_("Median along the normal, positive where the second line is nearer to the vessel"),
+        N_(
+            "Median difference along the normal, positive if the second line is nearer to the "
+            "vessel"
+        ),
     ),
     (N_("RMSD (mm)"), N_("Root mean square of the differences")),
-    (N_("Robust σ (mm)"), N_("1.4826 times the median absolute deviation from the median")),
-    (N_("95 % (mm)"), N_("95th percentile of the absolute differences")),
-    (N_("Largest (mm)"), N_("Largest absolute difference")),
+    (
+        N_("Robust σ (mm)"),
+        N_("Robust standard deviation: 1.4826 times the median absolute deviation from the median"),
+    ),
+    (N_("95th percentile (mm)"), N_("95th percentile of the absolute differences")),
+    (N_("Maximum (mm)"), N_("Largest absolute difference")),
 )
 """Titles and tips of the columns of differences, in millimetres."""
 FACING: dict[Facing, str] = {
@@ -29,12 +35,12 @@ FACING: dict[Facing, str] = {
 }
 INTRODUCTIONS: dict[Which, str] = {
     "prior": N_(
-        "Differences between each two lines on flat surfaces, along the normal, with the prior "
-        "boresight. The project is not changed."
+        "The table shows the differences between each pair of lines on flat surfaces, along the "
+        "surface normal and with the prior boresight. The project is not changed."
     ),
     "estimated": N_(
-        "Differences between each two lines on flat surfaces, along the normal, with the estimated "
-        "boresight. The project is not changed."
+        "The table shows the differences between each pair of lines on flat surfaces, along the "
+        "surface normal and with the estimated boresight. The project is not changed."
     ),
 }
 
@@ -63,14 +69,16 @@ class LineQualityDialog(StudyDialog):
 
 def _columns() -> list[Column]:
     return [
-        Column(gettext("First line"), gettext("Line whose normals are used"), words=True),
-        Column(gettext("Second line"), gettext("Line compared with it"), words=True),
+        Column(gettext("First line"), gettext("Line whose surface normals are used"), words=True),
+        Column(gettext("Second line"), gettext("Line compared with the first line"), words=True),
         Column(
             gettext("Orientation"),
-            gettext("Horizontal or vertical within 10°, inclined, or all surfaces"),
+            gettext(
+                "Orientation of the surfaces: horizontal or vertical within 10°, inclined, or all"
+            ),
             words=True,
         ),
-        Column(gettext("Places"), gettext("Flat places observed in both lines")),
+        Column(gettext("Compared places"), gettext("Number of flat places observed in both lines")),
         *(Column(gettext(title), gettext(tip), base="mm") for title, tip in STATISTICS),
     ]
 

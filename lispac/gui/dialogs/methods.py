@@ -22,15 +22,42 @@ METHODS = {
 }
 """Names of the methods at the start of a row or line."""
 NOT_RUN: dict[Method, str] = {
-    "natural planes": N_("Not run yet: adjustment on the validation planes instead of the targets"),
-    "targetless": N_("Not run yet: adjustment on natural surfaces of the scene"),
-    "patch test": N_("Not run yet: lines rotated until they match on objects"),
+    "natural planes": N_(
+        "This method has not been run yet. It estimates the boresight from the validation planes "
+        "instead of the targets."
+    ),
+    "targetless": N_(
+        "This method has not been run yet. It estimates the boresight from natural surfaces of "
+        "the scene."
+    ),
+    "patch test": N_(
+        "This method has not been run yet. It estimates the boresight by rotating the lines until "
+        "they match on detected objects."
+    ),
 }
 """Tips of the rows of methods without a result."""
 DIFFERENCES = (
-    (N_("Δ roll (σ)"), N_("Difference of roll from the first row, in σ of the difference")),
-    (N_("Δ pitch (σ)"), N_("Difference of pitch from the first row, in σ of the difference")),
-    (N_("Δ yaw (σ)"), N_("Difference of yaw from the first row, in σ of the difference")),
+    (
+        N_("Δ roll (σ)"),
+        N_(
+            "Roll minus the roll of the first row, divided by the standard deviation of the "
+            "difference"
+        ),
+    ),
+    (
+        N_("Δ pitch (σ)"),
+        N_(
+            "Pitch minus the pitch of the first row, divided by the standard deviation of the "
+            "difference"
+        ),
+    ),
+    (
+        N_("Δ yaw (σ)"),
+        N_(
+            "Yaw minus the yaw of the first row, divided by the standard deviation of the "
+            "difference"
+        ),
+    ),
 )
 """Titles and tips of the columns of differences."""
 BLANK = Cell("\N{EN DASH}")
@@ -56,9 +83,9 @@ class MethodsDialog(StudyDialog):
         super().__init__(
             "methods", gettext("Comparison with other methods"),
             gettext(
-                "Boresight angles from alternative methods on the same lines, without the targets. "
-                "Results that agree are more reliable. They are saved in the project and shown in "
-                "the report."
+                "The alternative methods estimate the boresight from the same lines without the "
+                "targets. If the results agree, they are more reliable. They are saved in the "
+                "project and shown in the report."
             ),
             table, parent,
         )  # fmt: skip
@@ -76,8 +103,8 @@ class MethodsDialog(StudyDialog):
         self.ask = widgets.button(
             gettext("Run other methods"), "methods_ask",
             tip=gettext(
-                "Adjust on the validation planes and on natural surfaces, and run a patch test on "
-                "detected objects; one undo step"
+                "Run the adjustments on validation planes and on natural surfaces, and the patch "
+                "test on detected objects. One undo step removes all results."
             ),
         )  # fmt: skip
         self.ask.setEnabled(any(each not in refused for each in absent))
@@ -94,8 +121,11 @@ def _columns() -> list[Column]:
     angles = angle_columns()
     columns = [
         Column(gettext("Method"), gettext("Method of estimation"), words=True),
-        Column(gettext("Lines"), gettext("Lines used")),
-        Column(gettext("Surfaces"), gettext("Targets, planes, natural surfaces or objects used")),
+        Column(gettext("Lines"), gettext("Number of lines used")),
+        Column(
+            gettext("Surfaces"),
+            gettext("Number of targets, planes, natural surfaces or objects used"),
+        ),
     ]
     for k, (title, tip) in enumerate(DIFFERENCES):
         columns += [*angles[2 * k : 2 * k + 2], Column(gettext(title), gettext(tip))]

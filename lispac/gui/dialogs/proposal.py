@@ -64,7 +64,11 @@ class ProposalDialog(QDialog):
         )
         self.accept_button.setDefault(True)
         self.accept_button.clicked.connect(self.accept)
-        reject = widgets.button(gettext("Reject"), "reject_proposal", tip=gettext("Add nothing"))
+        reject = widgets.button(
+            gettext("Reject all"),
+            "reject_proposal",
+            tip=gettext("Close without adding targets or planes"),
+        )
         reject.setAutoDefault(False)  # Enter accepts, wherever the focus is
         reject.clicked.connect(self.reject)
         row = QHBoxLayout()
@@ -91,11 +95,13 @@ class ProposalDialog(QDialog):
             name = QTableWidgetItem(theme.swatch(colour), target.name)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Checked)
-            name.setToolTip(gettext("Untick to exclude"))
+            name.setToolTip(gettext("Untick to exclude this target or plane"))
             role = QTableWidgetItem(gettext(ROLES[target.role]))
             lines = [sighting.line for sighting in target.sightings]
             seen = QTableWidgetItem(str(len(lines)))
-            seen.setToolTip(widgets.plain_tip(gettext("Observed on {lines:names}", lines=lines)))
+            seen.setToolTip(
+                widgets.plain_tip(gettext("Observed on lines: {lines:names}", lines=lines))
+            )
             text = message_text(proposal.reasons[target.name])
             reason = QTableWidgetItem(text)
             reason.setToolTip(widgets.plain_tip(text))
@@ -105,7 +111,7 @@ class ProposalDialog(QDialog):
     def _count(self) -> None:
         ticked, total = len(self.ticked), self.table.rowCount()
         self.accept_button.setText(
-            gettext("Accept {ticked:n} of {total:n}", ticked=ticked, total=total)
+            gettext("Add {ticked:n} of {total:n} surfaces", ticked=ticked, total=total)
         )
         self.accept_button.setEnabled(ticked > 0)
 
@@ -116,8 +122,8 @@ def _introduction(proposal: Proposal) -> str:
         [
             _about_targets(proposal),
             gettext(
-                "Validation planes are not used in the adjustment; the lines are compared on them. "
-                "Untick what is not to be added."
+                "Validation planes are not used in the adjustment; they only serve to check that "
+                "the lines agree. Untick the targets and planes that you do not want to add."
             ),
         ]
     )
@@ -127,20 +133,20 @@ def _about_targets(proposal: Proposal) -> str:
     """Standard deviations with the targets, or that all useful ones are picked."""
     if not any(target.role == "target" for target in proposal.targets):
         return gettext(
-            "No further targets are proposed: all suitable surfaces are already picked "
-            "({targets:names}).",
+            "No more targets are proposed because all suitable surfaces are already targets: "
+            "{targets:names}.",
             targets=proposal.picked,
         )
     sigmas = dict(zip(ANGLES, map(_angle, proposal.sigma), strict=True))
     if proposal.picked:
         return gettext(
-            "Standard deviations of the boresight with the proposed targets and {targets:names} "
-            "(already picked): roll {roll}, pitch {pitch}, yaw {yaw}.",
+            "Predicted standard deviations of the boresight with the proposed and the existing "
+            "targets ({targets:names}): roll {roll}, pitch {pitch}, yaw {yaw}.",
             targets=proposal.picked, **sigmas,
         )  # fmt: skip
     return gettext(
-        "Standard deviations of the boresight with the proposed targets: roll {roll}, pitch "
-        "{pitch}, yaw {yaw}.",
+        "Predicted standard deviations of the boresight with the proposed targets: roll {roll}, "
+        "pitch {pitch}, yaw {yaw}.",
         **sigmas,
     )
 

@@ -83,7 +83,7 @@ class Questions:
         box.setInformativeText(gettext("The adjustment uses accepted targets only."))
         accept = box.addButton(gettext("Accept and estimate"), QMessageBox.ButtonRole.AcceptRole)
         reject = box.addButton(
-            gettext("Estimate without it"), QMessageBox.ButtonRole.DestructiveRole
+            gettext("Estimate without this target"), QMessageBox.ButtonRole.DestructiveRole
         )
         box.setDefaultButton(accept)
         box.exec()
@@ -104,7 +104,7 @@ class Questions:
         box.setObjectName("recover_dialog")
         box.setInformativeText(
             gettext(
-                "Last recorded: {when}. One undo step removes the restored changes.",
+                "Time of the automatic copy: {when}. One undo step removes the restored changes.",
                 when=when,
             )
         )
@@ -128,8 +128,12 @@ class Questions:
         box.setObjectName("files_dialog")
         shown = [str(path) for path in missing[:MAX_NAMED]]
         if more := len(missing) - len(shown):
-            shown.append(gettext(Plural("and {count:n} more", "and {count:n} more"), count=more))
-        advice = gettext("Choose the folder that now contains them, or a folder above it.")
+            shown.append(
+                gettext(Plural("and {count:n} more file", "and {count:n} more files"), count=more)
+            )
+        advice = gettext(
+            "Choose the folder that contains the files now, or one of its parent folders."
+        )
         box.setInformativeText("\n".join([*shown, "", advice]))
         choose = box.addButton(gettext("Choose folder…"), QMessageBox.ButtonRole.AcceptRole)
         if not self._is_confirmed(box, choose):
@@ -147,10 +151,10 @@ class Questions:
             parent=self.parent,
         )  # fmt: skip
         box.setObjectName("elsewhere_dialog")
-        place = gettext("Open in: {place}.", place=where)
+        place = gettext("The project is open in: {place}.", place=where)
         effect = gettext(
-            "The window that saves last overwrites the other. Unsaved changes of this window "
-            "cannot be restored after a crash."
+            "If both windows save the project, the later save overwrites the earlier one. Unsaved "
+            "changes of this window cannot be restored after a crash."
         )
         box.setInformativeText(f"{place}\n{effect}")
         stay = box.addButton(gettext("Do not open"), QMessageBox.ButtonRole.RejectRole)
@@ -169,8 +173,8 @@ class Questions:
         box.setObjectName("overwrite_dialog")
         box.setInformativeText(
             gettext(
-                "Overwriting discards these changes. To keep both, use File > Save as… with "
-                "another folder."
+                "If you overwrite the project, the changes of the other program are lost. To keep "
+                "both, save the project in another folder with File > Save as…."
             )
         )
         anyway = box.addButton(gettext("Overwrite"), QMessageBox.ButtonRole.DestructiveRole)
@@ -186,7 +190,7 @@ class Questions:
         )  # fmt: skip
         box.setObjectName("leave_dialog")
         box.setInformativeText(
-            gettext("The settings made here are lost. The files are not changed.")
+            gettext("The import settings will be lost. The files are not changed.")
         )
         stay = box.addButton(gettext("Continue importing"), QMessageBox.ButtonRole.RejectRole)
         leave = box.addButton(

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from lispac.workflow.script import Script
 
 INTRODUCTION = N_(
-    "This Python script reproduces the project from its raw files, with the same numbers. It can "
-    "be edited and run without the window."
+    "This Python script recomputes the project from its raw files and gives the same results. You "
+    "can edit it and run it without this window."
 )
 
 

@@ -25,16 +25,20 @@ AXES = {
 }  # fmt: skip
 """Labels of the coordinates, by their names in `axes_of`."""
 ON_ALL_LINES = {
-    "plane": N_("A plane target is searched for near these coordinates on all lines."),
-    "sphere": N_("A sphere target is searched for near these coordinates on all lines."),
-    "validation": N_("A validation plane is searched for near these coordinates on all lines."),
+    "plane": N_("The program searches all lines for a plane target near these coordinates."),
+    "sphere": N_("The program searches all lines for a sphere target near these coordinates."),
+    "validation": N_(
+        "The program searches all lines for a validation plane near these coordinates."
+    ),
 }
 """What the dialogue does, by shape of the target or role."""
 ON_ONE_LINE = {
-    "plane": N_("A plane target is searched for near these coordinates on line {line} only."),
-    "sphere": N_("A sphere target is searched for near these coordinates on line {line} only."),
+    "plane": N_("The program searches only line {line} for a plane target near these coordinates."),
+    "sphere": N_(
+        "The program searches only line {line} for a sphere target near these coordinates."
+    ),
     "validation": N_(
-        "A validation plane is searched for near these coordinates on line {line} only."
+        "The program searches only line {line} for a validation plane near these coordinates."
     ),
 }
 """The same where the search is on one line."""
@@ -53,7 +57,7 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle(gettext("Seed at coordinates"))
+        self.setWindowTitle(gettext("Enter seed coordinates"))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None
@@ -192,8 +196,8 @@ def _introduction(seed_options: SeedOptions) -> str:
     else:
         first = gettext(ON_ONE_LINE[kind], line=seed_options.line)
     second = gettext(
-        "The settings of step 2 apply (search radius, threshold and others). The result is shown "
-        "before it is added."
+        "The search uses the settings of step 2, such as search radius and threshold. The result "
+        "is shown before it is added."
     )
     return f"{first}\n{second}"
 
@@ -207,5 +211,7 @@ def _field(name: str) -> QLineEdit:
     field.setObjectName(name)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     field.setFont(theme.tabular(field.font()))
-    field.setToolTip(gettext("Paste three numbers into the first field to fill all three"))
+    field.setToolTip(
+        gettext("Paste three numbers into the first field to fill in all three fields")
+    )
     return field

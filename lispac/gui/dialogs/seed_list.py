@@ -58,8 +58,8 @@ class SeedListDialog(QDialog):
         layout = widgets.column(self, 16)
         introduction = widgets.label(wrap=True)
         roles = gettext(
-            "Roles not given in the list follow the names: names beginning with V are validation "
-            "planes, all others are targets."
+            "If the list gives no role, a name that begins with V means a validation plane and "
+            "any other name means a target."
         )
         introduction.setText(f"{how}\n{roles}")
         layout.addWidget(introduction)
@@ -67,12 +67,13 @@ class SeedListDialog(QDialog):
         self.columns.setObjectName("list_columns")
         self.columns.setToolTip(
             gettext(
-                "Columns from left to right: name, x, y, z, role, and - for a column that is not "
-                "used. If empty, the names in the file apply, otherwise this order"
+                "Columns from left to right: name, x, y, z, role, or - to skip a column. If this "
+                "field is empty, the column names in the file apply, or the order name, x, y, z, "
+                "role if it has none."
             )
         )
         self.columns.setPlaceholderText(
-            gettext("As named in the file, otherwise name, x, y, z, role")
+            gettext("Column names in the file, otherwise name, x, y, z, role")
         )
         self.choice = SystemChoice(project, trajectory, "list", self)
         form = QFormLayout()
@@ -88,7 +89,9 @@ class SeedListDialog(QDialog):
         self.pick_button = widgets.button("", "pick_list", primary=True)
         self.pick_button.setDefault(True)
         self.pick_button.clicked.connect(self.accept)
-        cancel = widgets.button(gettext("Cancel"), "cancel_list", tip=gettext("Pick nothing"))
+        cancel = widgets.button(
+            gettext("Cancel"), "cancel_list", tip=gettext("Close without searching for targets")
+        )
         cancel.clicked.connect(self.reject)
         cancel.setAutoDefault(False)  # Enter picks, wherever the focus is
         row = QHBoxLayout()
@@ -145,7 +148,9 @@ class SeedListDialog(QDialog):
             name.setCheckState(Qt.CheckState.Unchecked if seed.taken else Qt.CheckState.Checked)
             name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
             numbers = [*(number(each, 3) for each in seed.place), number(distances[row], 1)]
-            remark = gettext("Already picked; tick to replace") if seed.taken else ""
+            remark = (
+                gettext("A target with this name exists; tick to replace it") if seed.taken else ""
+            )
             _set_row(self.table, row, name, seed.role, numbers, remark)
         self.table.blockSignals(False)
         self._count()
@@ -153,9 +158,9 @@ class SeedListDialog(QDialog):
     def _count(self) -> None:
         ticked, rows = len(self.ticked), self.table.rowCount()
         self.pick_button.setText(
-            gettext("Pick {ticked:n} of {total:n}", ticked=ticked, total=rows)
+            gettext("Search at {ticked:n} of {total:n} seeds", ticked=ticked, total=rows)
             if rows
-            else gettext("Pick")
+            else gettext("Search at seeds")
         )
         self.pick_button.setEnabled(ticked > 0)
 
@@ -166,7 +171,7 @@ class SeedsFoundDialog(QDialog):
     def __init__(self, outcomes: Sequence[Outcome], lines: int, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.setObjectName("seeds_found_dialog")
-        self.setWindowTitle(gettext("Seeds picked"))
+        self.setWindowTitle(gettext("Targets found from seeds"))
         self.resize(860, 520)
         layout = widgets.column(self, 16)
         layout.addWidget(widgets.label(_summary(outcomes), wrap=True, name="seeds_found"))
@@ -203,14 +208,16 @@ def _summary(outcomes: Sequence[Outcome]) -> str:
     if not found:
         return gettext(
             Plural(
-                "No target was found at the seed.", "No target was found at any of {count:n} seeds."
+                "No target was found at the seed. Check its coordinates and their system.",
+                "No target was found at any of {count:n} seeds. Check their coordinates and the "
+                "coordinate system.",
             ),
             count=total,
         )
     return gettext(
         Plural(
-            "Targets found: {found:n}, from {count:n} seed. One undo step removes it.",
-            "Targets found: {found:n}, from {count:n} seeds. One undo step removes them all.",
+            "Targets found: {found:n} (from {count:n} seed). One undo step removes the target.",
+            "Targets found: {found:n} (from {count:n} seeds). One undo step removes all of them.",
         ),
         found=found,
         count=total,
@@ -220,7 +227,7 @@ def _summary(outcomes: Sequence[Outcome]) -> str:
 def _missing(target: Target) -> list[str]:
     """Lines on which a target was not found, with the reasons."""
     return [
-        gettext("Not on {line}: {reason}", line=line, reason=message_text(reason))
+        gettext("Not found on line {line}: {reason}", line=line, reason=message_text(reason))
         for line, reason in target.missing.items()
     ]
 

@@ -17,9 +17,9 @@ from lispac.workflow.sensors import keep, require_sound
 NEW_SCANNER = ScannerFigures("", 0.005, 0.01, 0.5, "")
 NEW_POS = PosFigures("", (PosState("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))
 WITH_SOLUTION = {
-    "rtk": N_("With RTK"),
-    "ppk": N_("With PPK"),
-    "degraded": N_("With degraded GNSS"),
+    "rtk": N_("Specifications with RTK"),
+    "ppk": N_("Specifications with PPK"),
+    "degraded": N_("Specifications with degraded GNSS"),
 }
 """Labels of the GNSS solutions."""
 
@@ -153,11 +153,11 @@ class _Origin(QWidget):
         super().__init__()
         self.source = _Line(f"{name}_source", gettext("Source of the specifications"), source)
         self.source.setPlaceholderText(gettext("Data sheet and its date"))
-        self.from_memory = QCheckBox(gettext("Not verified"))
+        self.from_memory = QCheckBox(gettext("Specifications not verified"))
         self.from_memory.setObjectName(f"{name}_from_memory")
         self.from_memory.setChecked(from_memory)
         self.from_memory.setToolTip(
-            gettext("The specifications have not been checked against the data sheet")
+            gettext("Tick if the specifications have not been checked against the data sheet")
         )
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -169,22 +169,23 @@ class _ScannerPart:
     def __init__(self, given: ScannerFigures, form: QFormLayout) -> None:
         self.range = widgets.number(
             "sensor_range", suffix=" mm", decimals=2, low=0.01, high=10_000, step=0.5,
-            tip=gettext("Standard deviation of the range, millimetres"),
+            tip=gettext("Standard deviation of a range measurement, in millimetres"),
         )  # fmt: skip
         self.angle = widgets.number(
             "sensor_angle", suffix=" °", decimals=4, low=0.0001, high=10, step=0.001,
-            tip=gettext("Standard deviation of the beam direction in each axis across it, degrees"),
+            tip=gettext("Standard deviation of the beam direction about each of the two axes "
+                        "perpendicular to the beam, in degrees"),
         )  # fmt: skip
         self.beam = widgets.number(
             "sensor_beam", suffix=" mrad", decimals=2, low=0, high=100, step=0.1,
-            tip=gettext("Beam divergence, full angle, milliradians"),
+            tip=gettext("Beam divergence as full angle, in milliradians"),
         )  # fmt: skip
         self.range.setValue(1000 * given.range_sigma)
         self.angle.setValue(given.angle_sigma_deg)
         self.beam.setValue(given.divergence_mrad)
         self.origin = _Origin("sensor", given.source, given.from_memory)
         self.moved = self.range.valueChanged
-        form.addRow(gettext("Range (1 σ)"), self.range)
+        form.addRow(gettext("Range noise (1 σ)"), self.range)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
         form.addRow(gettext("Beam divergence"), self.beam)
         form.addRow(gettext("Source"), self.origin)

@@ -28,7 +28,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.workflow.sensors import LONGEST, Sensor, library, origin_of, remove
 
-HEADS = (N_("Sensor"), N_("1 σ"), N_("Source"))
+HEADS = (N_("Sensor"), N_("Standard deviations (1 σ)"), N_("Source"))
 AnySensor = Sensor[ScannerFigures] | Sensor[PosFigures]
 
 
@@ -52,8 +52,8 @@ class SensorLibraryPage(QWidget):
         layout.addWidget(
             widgets.label(
                 gettext(
-                    "Standard deviations as specified by the makers. Check those marked as not "
-                    "verified against the data sheet of your instrument."
+                    "The standard deviations are those specified by the manufacturers. Check "
+                    "values marked as not verified against the data sheet of your instrument."
                 ),
                 "muted",
                 wrap=True,
@@ -105,14 +105,14 @@ class SensorLibraryPage(QWidget):
         self.add_pos = widgets.button(gettext("Add INS/GNSS…"), "sensor_add_pos")
         self.copy = widgets.button(
             gettext("Copy…"), "sensor_copy",
-            tip=gettext("Create an own sensor with these specifications"),
+            tip=gettext("Create a user-defined sensor with these specifications"),
         )  # fmt: skip
         self.edit = widgets.button(
             gettext("Edit…"), "sensor_edit",
-            tip=gettext("Edit an own sensor; others can be copied"),
+            tip=gettext("Edit a user-defined sensor. To change another sensor, copy it first."),
         )  # fmt: skip
         self.remove = widgets.button(
-            gettext("Remove…"), "sensor_remove", tip=gettext("Remove an own sensor")
+            gettext("Remove…"), "sensor_remove", tip=gettext("Remove a user-defined sensor")
         )
         row = QHBoxLayout()
         for each, slot in (
@@ -138,7 +138,7 @@ class SensorLibraryPage(QWidget):
             sigmas, source = describe(sensor.figures)
             title = sensor.figures.title
             if sensor.own:
-                title = gettext("{sensor} (own)", sensor=title)
+                title = gettext("{sensor} (user-defined)", sensor=title)
             for column, text in enumerate((title, sigmas, source)):
                 item = QTableWidgetItem(text)
                 item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
@@ -155,9 +155,9 @@ class SensorLibraryPage(QWidget):
     def _copy(self) -> None:
         if self.current is not None:
             figures = self.current.figures
-            excess = max(len(gettext("{sensor} (own)", sensor=figures.title)) - LONGEST, 0)
+            excess = max(len(gettext("{sensor} (user-defined)", sensor=figures.title)) - LONGEST, 0)
             title = figures.title[: len(figures.title) - excess]
-            self._ask(replace(figures, title=gettext("{sensor} (own)", sensor=title)))
+            self._ask(replace(figures, title=gettext("{sensor} (user-defined)", sensor=title)))
 
     def _edit(self) -> None:
         if self.current is not None:
@@ -187,8 +187,8 @@ class SensorLibraryPage(QWidget):
         box.setObjectName("remove_sensor")
         box.setInformativeText(
             gettext(
-                "This cannot be undone, even by cancelling the settings. Projects that use the "
-                "sensor keep its specifications."
+                "The sensor is removed permanently, even if you cancel the settings. Projects "
+                "that use the sensor keep its specifications."
             )
         )
         sure = box.addButton(gettext("Remove"), QMessageBox.ButtonRole.DestructiveRole)

@@ -25,7 +25,7 @@ class SensorsDialog(QDialog):
     def __init__(self, folder: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("plan_sensors")
-        self.setWindowTitle(gettext("Sensors of the plan"))
+        self.setWindowTitle(gettext("Sensors of the survey plan"))
         self.setMinimumWidth(520)
         self._scanner: ScannerFigures | None = None
         self._pos: PosState | None = None
@@ -33,8 +33,8 @@ class SensorsDialog(QDialog):
         layout.addWidget(
             widgets.label(
                 gettext(
-                    "The standard deviations of the chosen sensors are entered in the plan. Where "
-                    "none is chosen, the values of the plan are kept."
+                    "The standard deviations of the chosen sensors are copied to the survey plan. "
+                    "If no sensor is chosen, the survey plan keeps its values."
                 ),
                 wrap=True,
             )
@@ -49,7 +49,7 @@ class SensorsDialog(QDialog):
         form.addRow(gettext("INS/GNSS"), self.choice.pos)
         form.addRow("", self.choice.pos_origin)
         layout.addLayout(form)
-        self.take = widgets.button(gettext("Use sensors"), "plan_sensors_take", primary=True)
+        self.take = widgets.button(gettext("Use these sensors"), "plan_sensors_take", primary=True)
         self.take.setDefault(True)
         self.take.clicked.connect(self.accept)
         cancel = widgets.button(gettext("Cancel"), "plan_sensors_cancel")

@@ -55,14 +55,14 @@ if TYPE_CHECKING:
 
 DesignFile = Literal["open", "save", "page", "site"]
 DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
-    "open": (N_("Open plan"), N_("Plan (*.toml)"), False),
-    "save": (N_("Save plan"), N_("Plan (*.toml)"), True),
-    "page": (N_("Write the field plan"), "PDF (*.pdf)", True),
-    "site": (N_("Open site"), N_("Site (*.toml)"), False),
+    "open": (N_("Open survey plan"), N_("Survey plan (*.toml)"), False),
+    "save": (N_("Save survey plan"), N_("Survey plan (*.toml)"), True),
+    "page": (N_("Save field plan"), "PDF (*.pdf)", True),
+    "site": (N_("Open site file"), N_("Site file (*.toml)"), False),
 }
 """Title and filter of the file dialogue, and whether the file is written."""
 REPORT_FILTERS = (
-    "PDF (*.pdf)", "HTML (*.html)", N_("Numbers as JSON (*.json)"),
+    "PDF (*.pdf)", "HTML (*.html)", N_("Results as JSON (*.json)"),
     N_("Tables as CSV in a ZIP file (*.zip)"),
 )  # fmt: skip
 
@@ -118,7 +118,7 @@ class Dialogs(Questions):
         """A new folder for the project; ``start`` is proposed."""
         name, _ = QFileDialog.getSaveFileName(
             self.parent,
-            gettext("Save project as: name of its new folder"),
+            gettext("Save project as (name of the new folder)"),
             str(start),
             gettext("Folder (*)"),
             # Nothing is overwritten: existing projects and files are refused
@@ -129,7 +129,7 @@ class Dialogs(Questions):
     def folder_of_projects(self, start: Path) -> Path | None:
         """A folder that contains projects."""
         name = QFileDialog.getExistingDirectory(
-            self.parent, gettext("Folder with the projects of all calibrations"), str(start)
+            self.parent, gettext("Folder that contains the calibration projects"), str(start)
         )
         return Path(name) if name else None
 
@@ -243,7 +243,7 @@ class Dialogs(Questions):
     def report_template(self, start: Path) -> Path | None:
         """Template of the reports of a company."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, gettext("Template of the report"), str(start),
+            self.parent, gettext("Open report template"), str(start),
             gettext("Report template (*.toml)"),
         )  # fmt: skip
         return Path(name) if name else None
@@ -316,7 +316,7 @@ class Dialogs(Questions):
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, gettext("Seeds from a file"), str(start),
+            self.parent, gettext("Open list of seeds"), str(start),
             ";;".join(
                 [
                     gettext(

@@ -109,19 +109,19 @@ class SettingsDialog(QDialog):
     def _build(self) -> None:
         self.language = widgets.Choice(
             "settings_language", [gettext(SYSTEM_DEFAULT), *LANGUAGES.values()],
-            gettext("Language of the window; that of the report is set in step 5"),
+            gettext("Language of the window. The language of the report is set in step 5."),
         )  # fmt: skip
         pixels, million = gettext("pixels"), gettext("million")
         self.point_size = widgets.number(
             "settings_point_size", suffix=f" {pixels}", decimals=0, low=POINT_SIZES[0],
-            high=POINT_SIZES[-1], step=1, tip=gettext("Size of a drawn point"),
+            high=POINT_SIZES[-1], step=1, tip=gettext("Size of a point in the 3D view"),
         )  # fmt: skip
         self.point_budget = widgets.number(
             "settings_point_budget", suffix=f" {million}", decimals=1,
             low=POINT_BUDGETS[0] / MILLION, high=POINT_BUDGETS[-1] / MILLION, step=0.5,
             tip=gettext(
-                "Largest number of points drawn while the view does not move; slow computers draw "
-                "fewer"
+                "Largest number of points drawn while the 3D view does not move. Slow computers "
+                "draw fewer points."
             ),
         )  # fmt: skip
         self.angles = widgets.Choice(
@@ -134,25 +134,26 @@ class SettingsDialog(QDialog):
         )  # fmt: skip
         self.lengths = widgets.Choice(
             "settings_lengths", [gettext(UNITS[key]) for key in LENGTHS],
-            gettext("Unit of lengths in the window; files, reports and scripts stay metric"),
+            gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
         self.looks = widgets.Choice(
             "settings_looks", [gettext(each) for each in THEMES.values()],
             gettext(
-                "Colours of the window; in each theme, the colours of the lines suit colour-blind "
-                "users"
+                "Light or dark colours of the window. The line colours of all themes suit "
+                "colour-blind users."
             ),
         )  # fmt: skip
         self.scale = widgets.Choice(
             "settings_scale", [gettext(each) for each in SCALES.values()],
             gettext(
-                "Colours of points by height, intensity, range or time; residuals have their own "
-                "scale"
+                "Colour scale of points coloured by height, intensity, range or time. Residuals "
+                "have their own scale."
             ),
         )  # fmt: skip
         self.convention = widgets.Choice(
             "settings_convention", [gettext("(none)"), *(each.name for each in OTHERS)],
-            gettext("Reports also give the boresight angles in the convention of this program"),
+            gettext("The report also gives the boresight angles in the convention of the chosen "
+                    "program"),
         )  # fmt: skip
         self.cache = CacheBox()
         for field in (self.point_size, self.point_budget):
@@ -160,11 +161,11 @@ class SettingsDialog(QDialog):
         self._form.addRow(widgets.label(gettext("Window"), "heading"))
         self._form.addRow(gettext("Language"), self.language)
         self._form.addRow(gettext("Theme"), self.looks)
-        self._form.addRow(gettext("Colours of measured values"), self.scale)
+        self._form.addRow(gettext("Colour scale of points"), self.scale)
         self._form.addRow(gettext("Point size"), self.point_size)
-        self._form.addRow(gettext("Points drawn, at most"), self.point_budget)
-        self._form.addRow(gettext("Angles"), self.angles)
-        self._form.addRow(gettext("Lengths"), self.lengths)
+        self._form.addRow(gettext("Maximum number of points drawn"), self.point_budget)
+        self._form.addRow(gettext("Unit of angles"), self.angles)
+        self._form.addRow(gettext("Unit of lengths"), self.lengths)
         self._form.addRow(widgets.label(gettext("Report"), "heading"))
         self._form.addRow(gettext("Also give angles for"), self.convention)
         self._form.addRow(widgets.label(gettext("Cache"), "heading"))

@@ -17,12 +17,12 @@ OFF_THE_EDGE = 40
 TABLE_AT_LEAST, PLOT_AT_LEAST = HEAD + 3 * ROW, 180
 """Pixels, on a screen too low for all of it."""
 ANGLE_COLUMNS = (
-    (N_("Roll (deg)"), N_("Estimated roll, degrees")),
-    (N_("Roll ± (deg)"), N_("Standard deviation of roll, degrees")),
-    (N_("Pitch (deg)"), N_("Estimated pitch, degrees")),
-    (N_("Pitch ± (deg)"), N_("Standard deviation of pitch, degrees")),
-    (N_("Yaw (deg)"), N_("Estimated yaw, degrees")),
-    (N_("Yaw ± (deg)"), N_("Standard deviation of yaw, degrees")),
+    (N_("Roll (deg)"), N_("Estimated roll angle of the boresight, in degrees")),
+    (N_("Roll σ (deg)"), N_("Standard deviation of the roll angle, in degrees")),
+    (N_("Pitch (deg)"), N_("Estimated pitch angle of the boresight, in degrees")),
+    (N_("Pitch σ (deg)"), N_("Standard deviation of the pitch angle, in degrees")),
+    (N_("Yaw (deg)"), N_("Estimated yaw angle of the boresight, in degrees")),
+    (N_("Yaw σ (deg)"), N_("Standard deviation of the yaw angle, in degrees")),
 )
 """Titles and tips of the columns of boresight angles."""
 
@@ -62,13 +62,15 @@ class StudyDialog(QDialog):
         self.copy_numbers = widgets.button(
             gettext("Copy numbers"),
             f"{name}_numbers",
-            tip=gettext("Copy the table for a spreadsheet"),
+            tip=gettext("Copy the table to the clipboard for a spreadsheet"),
         )
         self.copy_numbers.clicked.connect(
             lambda: QGuiApplication.clipboard().setText(self.numbers())
         )
         self.copy_picture = widgets.button(
-            gettext("Copy picture"), f"{name}_picture", tip=gettext("Copy the plot as displayed")
+            gettext("Copy picture"),
+            f"{name}_picture",
+            tip=gettext("Copy the plot to the clipboard as displayed"),
         )
         self.copy_picture.clicked.connect(self._copy_picture)
         self.copy_picture.hide()

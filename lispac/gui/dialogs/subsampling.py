@@ -23,16 +23,17 @@ class SubsamplingDialog(StudyDialog):
         super().__init__(
             "subsampling", title,
             gettext(
-                "The same sightings adjusted with different point spacings. Points of a sighting "
-                "share the POS errors: where the standard deviations no longer decrease, more "
-                "points only take time. The project is not changed."
+                "Each row is an adjustment of the same sightings with another point spacing. "
+                "Points of a sighting share the POS errors, so below some spacing more points "
+                "take time but do not reduce the standard deviations. The project is not changed."
             ),
             table, parent,
         )  # fmt: skip
         self.show_rows([_row(each, each.distance == used) for each in found])
         self.said.setText(
             gettext(
-                "Highlighted: point spacing of the project settings, {spacing} {unit}.",
+                "The highlighted row has the point spacing of the project settings, {spacing} "
+                "{unit}.",
                 spacing=units.localised(units.figure(used, "m", ".2f")),
                 unit=units.unit("m").sign,
             )
@@ -45,14 +46,18 @@ def _columns() -> list[Column]:
     return [
         Column(
             gettext("Point spacing (m)"),
-            gettext("Points of a sighting that are closer than this are averaged"),
+            gettext(
+                "Points of a sighting that are closer together than this distance are averaged"
+            ),
             base="m",
         ),
-        Column(gettext("Points"), gettext("Points used; averaged points count once")),
+        Column(
+            gettext("Points"), gettext("Number of points used; averaged points count as one point")
+        ),
         *angle_columns(),
         Column(
-            gettext("Time (s)"),
-            gettext("Duration of the adjustment, without the selection of points"),
+            gettext("Computing time (s)"),
+            gettext("Computing time of the adjustment, without the selection of points"),
         ),
     ]
 

@@ -16,7 +16,7 @@ from lispac.workflow.target_systems import LOCAL, common_system, utm_zone
 
 REST_MS = 300
 LOCAL_NAME = N_("Local frame – North, West, Up")
-HEIGHTS = N_("As the coordinate system, otherwise above the ellipsoid")
+HEIGHTS = N_("From the coordinate system, otherwise ellipsoidal heights")
 HEIGHTS_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
 
 
@@ -36,7 +36,7 @@ def system_box(
         own = None  # the lines are in different systems
     items = [(gettext("{zone} – UTM zone of the trajectory (WGS 84)", zone=zone), zone)]
     if own is not None:
-        items.insert(0, (gettext("As the files of the lines – {system}", system=own.name), ""))
+        items.insert(0, (gettext("System of the line files – {system}", system=own.name), ""))
     items.insert(0 if local_first else len(items), (gettext(LOCAL_NAME), LOCAL))
     for text, code in items:
         found.addItem(text, code)
@@ -88,8 +88,8 @@ class SystemChoice(QObject):
 
     def add_to(self, form: QFormLayout) -> None:
         """Add the two fields to a form."""
-        form.addRow(gettext("Coordinates"), self.box)
-        form.addRow(gettext("Heights"), self.height)
+        form.addRow(gettext("Coordinate system"), self.box)
+        form.addRow(gettext("Vertical system"), self.height)
         self._form = form
         self._judge()
 

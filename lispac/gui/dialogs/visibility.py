@@ -15,21 +15,41 @@ if TYPE_CHECKING:
 
 COLUMNS = (
     (N_("Error"), N_("Systematic error and its size")),
-    (N_("Accepted (deg)"), N_("Inclinations accepted by Type I")),
-    (N_("Accepted, thesis"), N_("From appendix C and section 3.9 of the thesis")),
-    (N_("Best (deg)"), N_("Inclination with the largest differences between lines")),
-    (N_("Best, thesis"), N_("From table 3.2 and section 3.9 of the thesis")),
     (
-        N_("Lines that differ"),
-        N_("Headings; of lines joined by /, which show the same, one is sufficient"),
+        N_("Accepted inclinations (deg)"),
+        N_(
+            "Inclinations at which the points still form the board (criterion Type I of the thesis)"
+        ),
     ),
-    (N_("Lines, thesis"), N_("From table 3.2 and section 4.4.1.1 of the thesis")),
-    (N_("Inclination"), N_("Compared with the thesis; the tip of the row gives the reason")),
-    (N_("Lines"), N_("Compared with the thesis")),
+    (
+        N_("Accepted in thesis (deg)"),
+        N_("Accepted inclinations in appendix C and section 3.9 of the thesis"),
+    ),
+    (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
+    (N_("Best in thesis (deg)"), N_("Best inclination in table 3.2 and section 3.9 of the thesis")),
+    (
+        N_("Lines showing error (deg)"),
+        N_(
+            "Headings of the lines that show the error. Lines joined by / show the same, so one of "
+            "them is sufficient."
+        ),
+    ),
+    (
+        N_("Lines in thesis (deg)"),
+        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of the thesis"),
+    ),
+    (
+        N_("Inclination (agreement)"),
+        N_(
+            "Agreement of the inclination with the thesis; the tooltip of the row "
+            "gives the reason for a difference"
+        ),
+    ),
+    (N_("Lines (agreement)"), N_("Agreement of the lines with the thesis")),
 )
 """Titles and tips of the columns."""
 READ = N_("Move the mouse over the chart to read values")
-SITES = {"terrestrial": N_("Terrestrial"), "marine": N_("Marine")}
+SITES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
 
 
 class VisibilityDialog(StudyDialog):
@@ -44,13 +64,16 @@ class VisibilityDialog(StudyDialog):
         from lispac.report.visibility_figures import CRITERIA, error_in_words
 
         columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
-        table = DiagnosticsTable("visibility_table", gettext("Best configurations"), columns)
+        table = DiagnosticsTable(
+            "visibility_table", gettext("Best inclination and lines for each error"), columns
+        )
         super().__init__(
             "visibility", gettext("Visibility of errors"),
             gettext(
-                "One board on six lines, with one systematic error at a time and no noise: at "
-                "which inclination and on which lines is the error visible? Shaded: inclinations "
-                "accepted by Type I; dashed: best inclination."
+                "One board is scanned on six lines with one systematic error at a time and no "
+                "noise. The chart shows at which inclinations and on which lines the error is "
+                "visible. Shaded: inclinations accepted by criterion Type I; dashed: best "
+                "inclination."
             ),
             table, parent,
         )  # fmt: skip
@@ -61,7 +84,8 @@ class VisibilityDialog(StudyDialog):
         self.site = widgets.Choice(
             "visibility_site", [gettext(SITES[each.site.name]) for each in found],
             gettext(
-                "A vehicle 2.5 m above a board on the ground, or a vessel 15 m from a quay 5 m high"
+                "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
+                "15 m from a quay 5 m high."
             ),
         )  # fmt: skip
         self.error = widgets.Choice(
@@ -70,7 +94,7 @@ class VisibilityDialog(StudyDialog):
         )  # fmt: skip
         self.criterion = widgets.Choice(
             "visibility_criterion", [gettext(each.title) for each in CRITERIA.values()],
-            gettext("Criterion to draw"),
+            gettext("Criterion shown in the chart"),
         )  # fmt: skip
         choices = QHBoxLayout()
         for choice in (self.site, self.error, self.criterion):
@@ -155,7 +179,7 @@ class VisibilityDialog(StudyDialog):
             name = error_in_words(error)
             texts.insert(
                 0,
-                gettext("{error} compared with the thesis: {reason}", error=name, reason=reason),
+                gettext("{error}, difference from the thesis: {reason}", error=name, reason=reason),
             )
         self.said.setText("\n".join(texts))
 

@@ -35,7 +35,8 @@ class AddLinesDialog(ImportDialog):
     def _problem(self) -> str:
         if self.intake.entries and not self.intake.lines and not self.work.busy:
             return gettext(
-                "No line has been added. Drop the scan files of the lines here, or use Add files."
+                "No lines have been added yet. Drop the scan files of the lines here, or press "
+                "Add files."
             )
         return self.intake.files_problem()
 
@@ -43,7 +44,7 @@ class AddLinesDialog(ImportDialog):
         if any(line.georeferenced for line in self.intake.lines):
             return gettext(
                 "Georeferenced lines are transformed back to the scanner frame with the lever arm "
-                "and prior boresight of the project. They must be those that the lines were "
-                "georeferenced with."
+                "and prior boresight of the project. Add only lines that were georeferenced with "
+                "these values."
             )
         return ""

@@ -156,14 +156,14 @@ class ImportDialog(QDialog):
         self.progress.setRange(0, 1000)
         self.progress.setTextVisible(False)
         self.progress.setFixedWidth(180)
-        self.progress.setAccessibleName(gettext("Files read"))
+        self.progress.setAccessibleName(gettext("Progress of reading the files"))
         self.doing = widgets.label("", "muted", name="import_doing")
         self.stop = widgets.button(
             gettext("Stop"), "import_stop", tip=gettext("Stop reading files")
         )
         self.again = widgets.button(
             gettext("Read again"), "import_look_again",
-            tip=gettext("Read the files that were skipped"),
+            tip=gettext("Read the files that were skipped when reading was stopped"),
         )  # fmt: skip
         for each in (self.add_files, self.add_folder, self.remove):
             row.addWidget(each)
@@ -314,12 +314,14 @@ class ImportDialog(QDialog):
         if more := len(warnings) - 1:
             return gettext(
                 Plural(
-                    "{warning} (Mounting and accuracies, and {count:n} more warning)",
-                    "{warning} (Mounting and accuracies, and {count:n} more warnings)",
+                    "{warning} See the tab Mounting and accuracies for this and {count:n} more "
+                    "warning.",
+                    "{warning} See the tab Mounting and accuracies for this and {count:n} more "
+                    "warnings.",
                 ),
                 warning=warning, count=more,
             )  # fmt: skip
-        return gettext("{warning} (Mounting and accuracies)", warning=warning)
+        return gettext("{warning} See the tab Mounting and accuracies.", warning=warning)
 
     # -- what is asked -----------------------------------------------------------------------
 

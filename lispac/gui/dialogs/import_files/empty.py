@@ -11,17 +11,17 @@ _FILES = (
     (
         "ferry",
         N_("Trajectory"),
-        N_("SBET, POSPac or Exail (iXblue) text, or other text with columns"),
+        N_("SBET file, POSPac or Exail (iXblue) text file, or another text file with columns"),
     ),
     (
         "chart-bell-curve",
         N_("Accuracies of the trajectory, if available"),
-        N_("smrmsg, or a text export of it"),
+        N_("smrmsg file or its text export"),
     ),
     (
         "dots-hexagon",
-        N_("A scan file for each line"),
-        N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO; in the scanner frame or georeferenced"),
+        N_("One scan file for each line"),
+        N_("LAS, LAZ, E57, PLY, PCD, text or CIDCO file, in the scanner frame or georeferenced"),
     ),
 )
 """Icon, kind and formats of the files."""
@@ -79,7 +79,7 @@ class EmptyState(QFrame):
         outer.addWidget(
             widgets.label(
                 gettext(
-                    "The files are only read. Their contents are shown before the project is "
+                    "The files are not changed. Their contents are shown before the project is "
                     "created."
                 ),
                 "muted",

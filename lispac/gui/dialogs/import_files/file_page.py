@@ -115,7 +115,7 @@ class FilePage(QWidget):
         self.preview_head.setVisible(rows)
         self.preview.setVisible(rows)
         self.preview_head.setText(
-            gettext("First rows – choose the meaning of each column above it")
+            gettext("First rows – choose the meaning of each column in the list above the column")
             if mapped
             else gettext("First rows")
         )

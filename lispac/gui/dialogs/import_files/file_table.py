@@ -25,16 +25,16 @@ from lispac.workflow.intake_entry import Entry
 FILE, ROLE, FORMAT, COUNT, SPAN, FRAME, STATE = range(7)
 _HEADS = (
     N_("File"), N_("Role"), N_("Format"), N_("Points"), N_("Time span (s)"), N_("Frame"),
-    N_("State"),
+    N_("Status"),
 )  # fmt: skip
 _TIPS = (
-    N_("Name of the file; the tip of each row shows its folder"),
+    N_("Name of the file; the tooltip of the row shows the folder"),
     N_("Role of the file in the project"),
-    N_("Format of the file; the most likely is listed first"),
-    N_("Points of a line or states of a trajectory"),
+    N_("Format of the file; the list begins with the most likely format"),
+    N_("Number of points of a line or of records of a trajectory"),
     N_("First and last time in seconds, in the time base of the file"),
-    N_("Frame of the coordinates"),
-    N_("Problems of the file; select the row to read them"),
+    N_("Coordinate frame of the file"),
+    N_("Problems found in the file; select the row to read them"),
 )
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter

@@ -21,34 +21,34 @@ ROLES: dict[Kind | None, str] = {
 _COUNTS = ("points", "Points", "Records", "Rows")
 """Facts of a file with the number of its points or states."""
 _OPTIONS = {
-    "attitude": N_("Attitude"),
+    "attitude": N_("Unit of attitude"),
     "axes": N_("Axes"),
     "byte_order": N_("Byte order"),
     "columns": N_("Columns"),
     "crs": N_("Coordinate system"),
-    "decimal": N_("Decimal sign"),
+    "decimal": N_("Decimal separator"),
     "epoch": N_("Epoch"),
     "exclude_classes": N_("Excluded classes"),
     "frame": N_("Frame"),
-    "grid_unit": N_("Grid unit"),
+    "grid_unit": N_("Unit of grid coordinates"),
     "header": N_("Header"),
     "heading": N_("Heading"),
     "height": N_("Height"),
-    "height_unit": N_("Height unit"),
-    "heights": N_("Heights"),
-    "max_range": N_("Largest range (m)"),
-    "only": N_("Only points with"),
-    "order": N_("Order"),
+    "height_unit": N_("Unit of heights"),
+    "heights": N_("Unit of heights"),
+    "max_range": N_("Maximum range (m)"),
+    "only": N_("Attribute filter"),
+    "order": N_("Coordinate order"),
     "origin": N_("Origin"),
     "pitch": N_("Pitch"),
-    "position": N_("Position"),
+    "position": N_("Unit of latitude and longitude"),
     "restart": N_("Time rollover"),
     "roll": N_("Roll"),
-    "separator": N_("Separator"),
+    "separator": N_("Column separator"),
     "time": N_("Time"),
     "time_base": N_("Time base"),
     "time_field": N_("Time field"),
-    "time_from": N_("Time from"),
+    "time_from": N_("Time origin"),
     "time_unit": N_("Time unit"),
     "trajectory_datum": N_("Trajectory datum"),
     "unit": N_("Unit"),
@@ -62,7 +62,7 @@ _FACTS = {
     "comments": N_("Comments"),
     "coordinate system": N_("Coordinate system"),
     "Date of mission": N_("Date of the mission"),
-    "decimal": N_("Decimal sign"),
+    "decimal": N_("Decimal separator"),
     "Duration": N_("Duration"),
     "End": N_("End"),
     "fields": N_("Fields"),
@@ -72,8 +72,8 @@ _FACTS = {
     "Height": N_("Height"),
     "Latitude": N_("Latitude"),
     "Longitude": N_("Longitude"),
-    "Made from": N_("Made from"),
-    "Mapping frame": N_("Mapping frame"),
+    "Made from": N_("Source file"),
+    "Mapping frame": N_("Map projection frame"),
     "points": N_("Points"),
     "Position north": N_("Position north"),
     "Position west": N_("Position west"),
@@ -83,7 +83,7 @@ _FACTS = {
     "resolution": N_("Resolution"),
     "Roll and pitch": N_("Roll and pitch"),
     "Rows": N_("Rows"),
-    "separator": N_("Separator"),
+    "separator": N_("Column separator"),
     "Sigma north": N_("Standard deviation north"),
     "Sigma east": N_("Standard deviation east"),
     "Sigma height": N_("Standard deviation of height"),
@@ -98,9 +98,9 @@ _FACTS = {
     "time from, to": N_("Time"),
     "unit": N_("Unit"),
     "Velocities": N_("Velocities"),
-    "viewpoint": N_("Viewpoint"),
+    "viewpoint": N_("Scanner viewpoint"),
     "Wander angle": N_("Wander angle"),
-    "written by": N_("Written by"),
+    "written by": N_("Written by software"),
     "x from, to": N_("X"),
     "y from, to": N_("Y"),
     "z from, to": N_("Z"),
@@ -108,8 +108,8 @@ _FACTS = {
 """Labels of the facts about a file."""
 _AUTOMATIC = {
     "restart": N_("automatic"),
-    "grid_unit": N_("as the coordinate system"),
-    "heights": N_("as the coordinate system"),
+    "grid_unit": N_("same as the coordinate system"),
+    "heights": N_("same as the coordinate system"),
 }
 """Empty values of options that do not come from the file."""
 _OF_OPTION = {
@@ -123,11 +123,11 @@ _VALUES = {
     "as-is": N_("as in the file"),
     "auto": N_("automatic"),
     "big-endian": N_("big-endian"),
-    "blank": N_("blank"),
-    "bow-down": N_("positive bow down"),
-    "bow-up": N_("positive bow up"),
+    "blank": N_("space"),
+    "bow-down": N_("positive with bow down"),
+    "bow-up": N_("positive with bow up"),
     "centimetre": N_("centimetres"),
-    "comma": N_("comma"),
+    "comma": N_("comma (,)"),
     "degrees": N_("degrees"),
     "degrees-minutes": N_("degrees and minutes"),
     "dms": N_("degrees, minutes, seconds"),
@@ -136,14 +136,14 @@ _VALUES = {
     "fathom": N_("fathoms"),
     "feet": N_("feet"),
     "foot": N_("feet"),
-    "full-hour": N_("at the full hour"),
+    "full-hour": N_("at every full hour"),
     "georeferenced": N_("Georeferenced"),
     "grid": N_("grid north"),
     "header": N_("as in the header"),
     "hour": N_("hours"),
     "inch": N_("inches"),
     "international-feet": N_("international feet"),
-    "keep": N_("use"),
+    "keep": N_("include"),
     "kilometre": N_("kilometres"),
     "latitude-longitude": N_("latitude, longitude"),
     "little-endian": N_("little-endian"),
@@ -154,25 +154,25 @@ _VALUES = {
     "midnight": N_("at midnight"),
     "millimetre": N_("millimetres"),
     "millisecond": N_("milliseconds"),
-    "minus-wander": N_("minus the wander angle"),
+    "minus-wander": N_("subtract the wander angle"),
     "minute": N_("minutes"),
     "nanosecond": N_("nanoseconds"),
     "ned": N_("north, east, down"),
     "neu": N_("north, east, up"),
     "nwu": N_("north, west, up"),
-    "point": N_("point"),
-    "port-down": N_("positive port down"),
+    "point": N_("point (.)"),
+    "port-down": N_("positive with port side down"),
     "radians": N_("radians"),
     "second": N_("seconds"),
-    "semicolon": N_("semicolon"),
-    "starboard-down": N_("positive starboard down"),
+    "semicolon": N_("semicolon (;)"),
+    "starboard-down": N_("positive with starboard side down"),
     "start": N_("start of the scan"),
     "tab": N_("tab"),
     "true": N_("true north"),
     "us-survey-feet": N_("US survey feet"),
     "us-survey-foot": N_("US survey feet"),
-    "wander-ned": N_("north, east, down, turned by the wander angle"),
-    "wander-nwu": N_("north, west, up, turned by the wander angle"),
+    "wander-ned": N_("north, east, down, rotated by the wander angle"),
+    "wander-nwu": N_("north, west, up, rotated by the wander angle"),
     "week-end": N_("at the end of the week"),
     "yard": N_("yards"),
     "zero": N_("zero"),
@@ -208,7 +208,11 @@ def frame(entry: Entry) -> str:
         if not entry.georeferenced:
             return gettext("Scanner")
         place = entry.place
-        return place.system if place is not None and place.system else gettext("System not given")
+        return (
+            place.system
+            if place is not None and place.system
+            else gettext("Coordinate system not given")
+        )
     if entry.role == "trajectory":
         return entry.options.get("crs") or gettext("Latitude, longitude")
     return gettext("North, east, down") if entry.role == "accuracy" else NO_VALUE
@@ -218,7 +222,7 @@ def state(intake: Intake, entry: Entry) -> tuple[str, str]:
     """State of a file and its colour."""
     match intake.state(entry):
         case "pending":
-            return gettext("Waiting"), theme.MUTED
+            return gettext("Waiting to be read"), theme.MUTED
         case "fine":
             return gettext("OK"), theme.DONE
         case "error":

@@ -69,11 +69,11 @@ class MountingPage(QScrollArea):
         self.position_sigma.setEnabled(not name)
         self.attitude_sigma.setEnabled(not name)
         self._source.setText(
-            gettext("Position and attitude accuracies: from {file}.", file=name)
+            gettext("Position and attitude accuracies are taken from {file}.", file=name)
             if name
             else gettext(
-                "Position and attitude accuracies: no accuracy file; the values below apply at all "
-                "times."
+                "There is no accuracy file. The position and attitude accuracies below apply at "
+                "all times."
             )
         )
 
@@ -92,7 +92,7 @@ class MountingPage(QScrollArea):
         self._prior = widgets.label(
             gettext(
                 "Georeferenced lines are transformed back to the scanner frame. Enter the lever "
-                "arm and the boresight that they were georeferenced with."
+                "arm and the boresight with which they were georeferenced."
             ),
             "hint", wrap=True, name="new_prior_hint",
         )  # fmt: skip
@@ -101,7 +101,7 @@ class MountingPage(QScrollArea):
         self.origin_given = QCheckBox(gettext("Set the origin of the local frame"))
         self.origin_given.setObjectName("new_origin_given")
         self.origin_given.setToolTip(
-            gettext("Otherwise the origin is the mean position of the trajectory")
+            gettext("If not ticked, the origin is the mean position of the trajectory")
         )
         self.origin = widgets.Triple(
             (gettext("Latitude"), gettext("Longitude"), gettext("Height")),
@@ -122,7 +122,7 @@ class MountingPage(QScrollArea):
         usual = Settings(lever_arm=(0.0, 0.0, 0.0))
         self.lidar_sigma = widgets.number(
             "new_lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
-            tip=gettext("Standard deviation of a LiDAR point on each axis, millimetres"),
+            tip=gettext("Standard deviation of a LiDAR point along each axis, in millimetres"),
         )  # fmt: skip
         self.lidar_sigma.setValue(usual.lidar_sigma * 1000)
         self.lidar_sigma.setMaximumWidth(140)
@@ -141,8 +141,8 @@ class MountingPage(QScrollArea):
         self.angle_sigma.setSpecialValueText(gettext("none given"))
         self.angle_sigma.setToolTip(
             gettext(
-                "Standard deviation of the beam direction; with 0 the noise is the same on each "
-                "axis"
+                "Standard deviation of the beam direction. If it is 0, the LiDAR noise is the "
+                "same along all axes."
             )
         )
         self.angle_sigma.setMaximumWidth(140)

@@ -55,9 +55,9 @@ class OptionsForm(QWidget):
             self._labels[option.name].setProperty("role", "heading" if is_stated else "")
             self._labels[option.name].style().polish(self._labels[option.name])
             origin = (
-                gettext("Specified by the user.")
+                gettext("The value is specified by the user.")
                 if is_stated
-                else gettext("Detected in the file, or default value.")
+                else gettext("The value was detected in the file or is the default.")
             )
             field.setToolTip(widgets.plain_tip(f"{gettext(option.meaning)}\n{origin}"))
         self._show_system(entry)
@@ -98,7 +98,7 @@ class OptionsForm(QWidget):
         line = QLineEdit()
         line.setObjectName(f"option_{name}")
         if name == "crs":
-            line.setPlaceholderText(gettext("such as {code}", code="EPSG:32619"))
+            line.setPlaceholderText(gettext("for example {code}", code="EPSG:32619"))
         line.editingFinished.connect(lambda: self._typed(name, line))
         return line
 

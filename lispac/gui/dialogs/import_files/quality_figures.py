@@ -74,9 +74,9 @@ def accuracies(quality: Quality, figure: Figure) -> None:
         _show_text(
             figure,
             gettext(
-                "No accuracy file: the standard deviations of the page Mounting and accuracies "
-                "apply at all times.\n"
-                "An smrmsg file, or a text export with standard deviations, is plotted here."
+                "There is no accuracy file. The standard deviations on the page Mounting and "
+                "accuracies apply at all times.\nAdd an smrmsg file or a text export with "
+                "standard deviations to plot them here."
             ),
         )
         return

@@ -48,7 +48,7 @@ class QualityPage(QWidget):
             self.choice.addButton(made, k)
             row.addWidget(made)
         row.addSpacing(14)
-        self._hint = widgets.label(gettext("Shaded: lines"), "muted")
+        self._hint = widgets.label(gettext("Shaded areas: times of the lines"), "muted")
         row.addWidget(self._hint)
         row.addStretch(1)
         layout.addLayout(row)
@@ -104,7 +104,11 @@ class QualityPage(QWidget):
         quality = Quality.of(self._intake)
         assert quality is not None
         key = list(NAMES)[self.choice.checkedId()]
-        self._hint.setText(gettext("Coloured: lines") if key == TRACK else gettext("Shaded: lines"))
+        self._hint.setText(
+            gettext("Coloured sections: lines")
+            if key == TRACK
+            else gettext("Shaded areas: times of the lines")
+        )
         FIGURES[key](quality, self.canvas.figure)
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(gettext(_TIPS[key]))

@@ -32,13 +32,14 @@ class SensorChoice(QWidget):
         ]
         self.scanner = widgets.Choice(
             f"{prefix}_scanner", [gettext(OTHER)],
-            gettext("Fills in the LiDAR noise; adjust it to your instrument"),
+            gettext("The LiDAR noise of the chosen scanner is filled in. Check it against your "
+                    "instrument."),
         )  # fmt: skip
         self.pos = widgets.Choice(
             f"{prefix}_pos", [gettext(OTHER)],
             gettext(
-                "Fills in the standard deviations of position and attitude, which apply without "
-                "an accuracy file"
+                "The position and attitude standard deviations of the chosen INS/GNSS are filled "
+                "in. They apply if there is no accuracy file."
             ),
         )  # fmt: skip
         # Titles are names and are not translated.

@@ -61,7 +61,7 @@ def bars_of(intake: Intake) -> tuple[Bar, ...]:
         text = (
             gettext(Plural("{count:n} gap", "{count:n} gaps"), count=len(gaps))
             if gaps
-            else gettext("no gaps")
+            else gettext("no gaps in time")
         )
         bars.append(Bar(entry.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
                         float(time[-1]), gaps, text, True, False))  # fmt: skip
@@ -93,16 +93,16 @@ def _coverage_text(covered: Coverage | None, shift: float) -> str:
     if covered is None:
         return gettext("no trajectory")
     if covered.usable == covered.count:
-        text = gettext("covered")
+        text = gettext("fully covered")
     elif covered.outside and covered.in_gaps:
         text = gettext(
             "{outside:percent.1} % outside, {gaps:percent.1} % in gaps",
             outside=covered.share_outside, gaps=covered.share_in_gaps,
         )  # fmt: skip
     elif covered.outside:
-        text = gettext("{outside:percent.1} % outside", outside=covered.share_outside)
+        text = gettext("{outside:percent.1} % outside trajectory", outside=covered.share_outside)
     else:
-        text = gettext("{gaps:percent.1} % in gaps", gaps=covered.share_in_gaps)
+        text = gettext("{gaps:percent.1} % in trajectory gaps", gaps=covered.share_in_gaps)
     if not shift:
         return text
     return gettext("{text} ({shift:s.0+} s)", text=text, shift=shift)
@@ -151,7 +151,7 @@ class TimelineView(QWidget):
         self._axis = time_axis(intake.time_base)
         self._current = current
         self.setAccessibleDescription("\n".join(map(_description, self.bars)))
-        self.setToolTip("" if self.bars else gettext("No file with times yet"))
+        self.setToolTip("" if self.bars else gettext("No file with times has been added yet"))
         self.updateGeometry()
         self.update()
 
@@ -259,7 +259,7 @@ class TimelineView(QWidget):
             painter.setPen(QPen(QColor(theme.ERROR), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(hole)
-            text = gettext("gap {duration:s.1} s", duration=last - first)
+            text = gettext("{duration:s.1} s gap", duration=last - first)
             if not bar.is_line and self.fontMetrics().horizontalAdvance(text) + 8 < b - a:
                 painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor(theme.PAPER))
                 painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)

@@ -46,8 +46,8 @@ class TimelinePage(QWidget):
         self.gap = widgets.number(
             "import_longest_gap", suffix=" s", decimals=2, low=0.01, high=3600, step=0.5,
             tip=gettext(
-                "Longest gap of the trajectory that is interpolated, seconds; points in longer "
-                "gaps are excluded"
+                "Longest gap of the trajectory that is interpolated, in seconds. Points in longer "
+                "gaps are excluded."
             ),
         )  # fmt: skip
         self.gap.setKeyboardTracking(False)
@@ -95,12 +95,14 @@ class TimelinePage(QWidget):
         if len(shifts) == 1:
             self.all.setText(
                 gettext(
-                    "Add {shift:s.3+} s to all {count:n} lines outside",
+                    "Add {shift:s.3+} s to the times of {count:n} uncovered lines",
                     shift=offered[0][1], count=len(offered),
                 )
             )  # fmt: skip
         else:
-            self.all.setText(gettext("Shift all {count:n} lines outside", count=len(offered)))
+            self.all.setText(
+                gettext("Shift the times of {count:n} uncovered lines", count=len(offered))
+            )
 
     def _remedy(self, action: Action, place: int) -> None:
         self.remedy_chosen.emit(self._owners[place], action)
@@ -113,4 +115,4 @@ def _share_in_gaps(intake: Intake) -> str:
     if not count:
         return ""
     share = sum(covered.in_gaps for covered in found) / count
-    return gettext("Points in longer gaps: {share:percent.1} %", share=share)
+    return gettext("Points excluded in longer gaps: {share:percent.1} %", share=share)
