@@ -103,10 +103,10 @@ TEXTS: Mapping[str, Template] = {
     ),
     "window.name_taken": N_("The name {name} is already used. Give the target another name."),
     "window.plan_incomplete": N_(
-        "The survey design needs at least one target and one line. Add them first."
+        "The survey plan needs at least one target and one line. Add them first."
     ),
     "window.no_project_to_compare": N_(
-        "No project is open to compare with the survey design. Open the project of the survey in "
-        "the main window."
+        "No project is open to compare with the survey plan. Open the project of the survey in the "
+        "main window."
     ),
 }

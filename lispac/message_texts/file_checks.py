@@ -140,10 +140,10 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- motion of a trajectory --------------------------------------------------------------
     "trajectory.gaps": Plural(
-        "{file}: the trajectory has {count:n} gap longer than {limit:s.1} s, the longest "
-        "{longest:s.1} s. Points in gaps cannot be used.",
-        "{file}: the trajectory has {count:n} gaps longer than {limit:s.1} s, the longest "
-        "{longest:s.1} s. Points in gaps cannot be used.",
+        "{file}: the trajectory has {count:n} gap longer than {limit:s.1} s; it lasts "
+        "{longest:s.1} s. Points recorded in the gap cannot be used.",
+        "{file}: the trajectory has {count:n} gaps longer than {limit:s.1} s; the longest lasts "
+        "{longest:s.1} s. Points recorded in the gaps cannot be used.",
     ),
     "trajectory.impossible_speed": N_(
         "{file}: the positions move at {speed:m.0} m/s. Degrees may have been read as radians, or "
