@@ -35,31 +35,31 @@ TEXTS: Mapping[str, Template] = {
         "time base."
     ),
     "times.clock_without_base": N_(
-        "{file}: the times are written as hh:mm:ss, and the file does not state whether they are "
+        "{file}: the times are written as hh:mm:ss, and the file does not specify whether they are "
         "UTC. Choose the time base (utc-day or gps-day)."
     ),
     "times.utc_assumed": N_(
-        "{file}: the file does not state whether its times are UTC. UTC is assumed."
+        "{file}: the file does not specify whether its times are UTC. UTC is assumed."
     ),
     "times.base_contradicted": N_(
-        "{file}: the file states {base}, but times such as {time:s.3} s fit {bases:choices}. "
-        "Choose the time base."
+        "{file}: the time base specified in the file is {base}, but times such as {time:s.3} s fit "
+        "{bases:choices}. Choose the time base."
     ),
     "times.base_impossible": N_(
-        "{file}: the file states {base}, but times such as {time:s.3} s fit no known time base. "
-        "Choose the time base."
+        "{file}: the time base specified in the file is {base}, but times such as {time:s.3} s fit "
+        "no known time base. Choose the time base."
     ),
     # -- points ------------------------------------------------------------------------------
     "points.no_system": N_(
         "{file}: coordinates reach {largest:x.0}, too large for the scanner frame, and the file "
-        "states no coordinate system. Give its EPSG code."
+        "does not specify a coordinate system. Give its EPSG code."
     ),
     "points.around_origin": N_(
         "{file}: the points lie all around the origin, as in the scanner frame. If the coordinates "
         "are in millimetres, choose the scanner frame and the unit millimetres."
     ),
     "points.small_coordinates": N_(
-        "{file}: the file states a coordinate system, but its coordinates are small enough for "
+        "{file}: the file specifies a coordinate system, but its coordinates are small enough for "
         "the scanner frame. Check the frame."
     ),
     "points.far_from_origin": N_(
@@ -131,8 +131,8 @@ TEXTS: Mapping[str, Template] = {
         "coordinate system."
     ),
     "las.unit_contradicts_system": N_(
-        "{file}: the header states the unit {unit}, but {system} is in {system_unit}. Choose the "
-        "coordinate system of the points."
+        "{file}: the header specifies the unit {unit}, but {system} is in {system_unit}. Choose "
+        "the coordinate system of the points."
     ),
     "las.unknown_vertical": N_(
         "{file}: the vertical reference of the header (code {code}) is not known. Choose the "
@@ -158,8 +158,8 @@ TEXTS: Mapping[str, Template] = {
         "{speed:m.1} m/s. Check the track and process the trajectory again."
     ),
     "trajectory.too_slow": N_(
-        "{file}: the vessel hardly moves in the part that was checked. The heading and the order "
-        "of latitude and longitude could not be compared with the course."
+        "{file}: the vessel hardly moves in the part of the file that was checked. The heading and "
+        "the order of latitude and longitude could not be compared with the course."
     ),
     "trajectory.exchanged": N_(
         "{file}: latitude and longitude seem to be swapped, because the course agrees with the "
@@ -221,16 +221,16 @@ TEXTS: Mapping[str, Template] = {
         "down."
     ),
     "trajectory.seconds_assumed": N_(
-        "{file}: the header states no unit for {column}. Seconds are assumed."
+        "{file}: the header does not specify the unit of {column}. Seconds are assumed."
     ),
     "trajectory.dates_assumed": N_(
-        "{file}: the header states no format for {column}. Dates are assumed."
+        "{file}: the header does not specify the format of {column}. Dates are assumed."
     ),
     "trajectory.degrees_assumed": N_(
-        "{file}: the header states no unit for {column}. Degrees are assumed."
+        "{file}: the header does not specify the unit of {column}. Degrees are assumed."
     ),
     "trajectory.metres_assumed": N_(
-        "{file}: the header states no unit for {column}. Metres are assumed."
+        "{file}: the header does not specify the unit of {column}. Metres are assumed."
     ),
     "trajectory.unit_of_system_assumed": N_(
         "{file}: the header does not specify the unit of {column}. The unit of the coordinate "
@@ -289,8 +289,8 @@ TEXTS: Mapping[str, Template] = {
         "with the course."
     ),
     "sbet.too_slow": N_(
-        "{file}: the vessel hardly moves in the part that was checked. The velocities could not "
-        "be compared with the course."
+        "{file}: the vessel hardly moves in the part of the file that was checked. The velocities "
+        "could not be compared with the course."
     ),
     "sbet.velocities_disagree": N_(
         "{file}: the velocities do not agree with the positions in any known frame (the "
@@ -299,7 +299,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "sbet.several_axes": N_(
         "{file}: the velocities fit the axes {axes:choices} almost as well as the axes used. The "
-        "motion in the part that was checked is too small to distinguish them."
+        "motion in the part of the file that was checked is too small to distinguish them."
     ),
     "sbet.wander_assumed": N_(
         "{file}: the true heading is computed as the platform heading minus the wander angle, as "
@@ -323,9 +323,9 @@ TEXTS: Mapping[str, Template] = {
         "The signs of Applanix are assumed: roll positive starboard down, pitch positive bow up."
     ),
     "sbet.signs_not_checked": N_(
-        "{file}: the motion in the part that was checked is too small to check the sign of "
-        "{angles:names} with the angular rates. The signs of Applanix are assumed: roll positive "
-        "starboard down, pitch positive bow up."
+        "{file}: the motion in the part of the file that was checked is too small to check the "
+        "sign of {angles:names} with the angular rates. The signs of Applanix are assumed: roll "
+        "positive starboard down, pitch positive bow up."
     ),
     "sbet.other_signs": N_(
         "{file}: according to the angular rates, the signs differ from those of Applanix: "

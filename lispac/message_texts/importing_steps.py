@@ -153,8 +153,8 @@ TEXTS: Mapping[str, Template] = {
     # -- times of lines ----------------------------------------------------------------------
     "import.read_as": N_("{file}: the file is read as {format}, with {options:names}."),
     "import.base_assumed": N_(
-        "{file}: the file does not state its time base. The times are read in the time base of the "
-        "trajectory, {base}."
+        "{file}: the file does not specify its time base. The times are read in the time base of "
+        "the trajectory, {base}."
     ),
     "import.shift_follows": N_(
         "{file}: {shift:s.3+} s are added to the times to convert them from {base} to "

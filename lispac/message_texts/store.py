@@ -51,7 +51,7 @@ TEXTS: Mapping[str, Template] = {
         "import the line again."
     ),
     "store.block_cut_short": N_(
-        "{folder}: data written by the import cannot be read back (block {block:n} is cut short). "
+        "{folder}: data written by the import cannot be read back (block {block:n} is truncated). "
         "Check the disk, then import the line again."
     ),
     "store.points_lost": N_(
