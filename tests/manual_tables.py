@@ -45,6 +45,7 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
 from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
 from lispac.message_texts import TOPICS, message_text
+from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.french_catalogue import FRENCH
 from tests.manual_samples import assumed, samples
@@ -70,8 +71,8 @@ PROGRAMS = {
     "fr": ("X, Y, Z :", "Angles :", "Produit :", "État :", "Source :", "Supposé :"),
 }
 MESSAGES = {
-    "en": ("Code", "Level", "English", "French"),
-    "fr": ("Code", "Niveau", "Anglais", "Français"),
+    "en": ("Code", "Level", "When it appears", "English", "French"),
+    "fr": ("Code", "Niveau", "Quand il apparaît", "Anglais", "Français"),
 }
 PANELS: dict[str, Callable[[], QWidget]] = {
     "data": DataPanel, "targets": TargetsPanel, "adjust": AdjustPanel, "validate": ValidatePanel,
@@ -280,7 +281,12 @@ def _messages(language: str) -> str:
     parts = []
     for topic in TOPICS:
         rows = [
-            (f"`{code}`", ", ".join(sorted(levels.get(code, ()))), *_shown(template))
+            (
+                f"`{code}`",
+                ", ".join(sorted(levels.get(code, ()))),
+                gettext(OCCASIONS[code.partition(".")[0]]),
+                *_shown(template),
+            )
             for code, template in sorted(topic.TEXTS.items())
         ]
         title = topic.__doc__.split("\n")[0].rstrip(".")
