@@ -149,7 +149,7 @@ def test_one_plane_file_is_refused_unless_accepted(
     plane = shared_data / "prototype/a/plane2.txt"
     words = ("estimate", "--planes", plane, "--lever-arm", 0, 0, 0)
     message = refused(capsys, *words)
-    assert "is the only target and a plane" in message
+    assert "is the only target, so" in message
     assert "--accept-one-facing" in message
     numbers = answer(capsys, *words, "--accept-one-facing", "--no-cross-checks")
     assert "is the only target" in numbers["observability"]["in_words"][-1]
@@ -204,7 +204,7 @@ def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[s
 
 def test_no_project_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     for command in ("estimate", "validate"):
-        assert "contains no project" in refused(capsys, command, tmp_path / "none")
+        assert "does not contain a project" in refused(capsys, command, tmp_path / "none")
 
 
 def one_line(raw: Path) -> Path:

@@ -340,7 +340,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     good, none = json.loads(out)["seeds"]
     assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
     assert set(good["lines"]) == {"L1_000", "L2_180"}
-    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["It has only 50 points."]
+    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["The sighting has only 50 points."]
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
         "reason": english_text(note("finder.not_alike")), "lines": {}, "missing": {},
@@ -371,7 +371,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert out.splitlines()[1].startswith("targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
-    assert "there is only one line" in notes["targetless"]
+    assert "the project has only one line" in notes["targetless"]
     assert "has not been asked" not in err
     _, err = told(capsys, "compare", project.folder)
     assert err.count("has not been asked") == 3

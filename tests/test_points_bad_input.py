@@ -143,8 +143,8 @@ def test_no_time(tmp_path: Path) -> None:
         assert "file.no_such_field" in told
         assert "when" in told
     path = files.text(tmp_path / "a.csv", "{x} {y} {z} {ring}")
-    assert "lack time" in said(path, "a.csv", {"columns": "x y z ring"})
-    assert "does not name its columns" in said(path, "a.csv")
+    assert "time is missing" in said(path, "a.csv", {"columns": "x y z ring"})
+    assert "has no column names" in said(path, "a.csv")
 
 
 def test_times_never_written(tmp_path: Path) -> None:

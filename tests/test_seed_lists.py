@@ -65,7 +65,7 @@ def test_a_list_gives_what_single_picks_give(
     assert code == 1
     assert err.splitlines()[-1] == (
         f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
-        "the reason. The others are saved."
+        "the reason. The targets found at the other seeds are saved."
     )
     assert "note: Columns as named: name, north, west and up." in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
@@ -114,7 +114,7 @@ def test_in_a_coordinate_system_as_json(
 
 def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     good = rows("T1")
-    assert "row 2: the number of columns is 2" in refused(capsys, folder, good + "T2;1\n")
+    assert "row 2: the row has 2 columns" in refused(capsys, folder, good + "T2;1\n")
     assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
     far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: " in far

@@ -85,8 +85,8 @@ TEXTS: Mapping[str, Template] = {
         "gives the reasons.",
     ),
     "report.sightings": N_(
-        "Of {total:n} sightings used, {poor:n} are poor and {doubtful:n} are doubtful. The worst "
-        "is {target} on {line}: {reasons:sentences} See the section on the quality of the "
+        "{total:n} sightings are used, including {poor:n} poor and {doubtful:n} doubtful ones. The "
+        "worst is {target} on {line}: {reasons:sentences} See the section on the quality of the "
         "sightings."
     ),
     # -- validation --------------------------------------------------------------------------

@@ -102,7 +102,7 @@ def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, li
         assert not pick.isEnabled()
         assert table.rowCount() == 0
         picked.bot.keyClicks(columns, ",z")
-        assert "Columns as named" in dialog.findChild(QLabel, "list_said").text()
+        assert "Columns identified by their names" in dialog.findChild(QLabel, "list_said").text()
         box = dialog.findChild(QComboBox, "list_system")
         box.setFocus()
         picked.bot.keyClick(box, Key.Key_Down)
