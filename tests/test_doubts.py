@@ -212,11 +212,11 @@ CASES = [
     ("radii_parameter", True, _radii("latency", -0.02), "agree (latency smaller by 20.00 ms)"),
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
-    ("sigmas_raised", False, _raised, "deviations were increased: pitch from 0.0291 to 0.0728"),
+    ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
     ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 times its standard"
      " deviation)"),
     ("high_correlation", False, _told_apart_badly, "correlation of roll and pitch is -0.97"),
-    ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated (classical)"),
+    ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
     ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),
     ("released", False, _sighting(released=True, shift=-0.0483, w=-9.34), "was rejected: "

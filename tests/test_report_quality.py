@@ -163,7 +163,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert "The estimated change of the latency (+1.10 ms) is not significant." in _caution(
         content, "report.parameter_not_significant"
     )
-    assert "(scan-angle offset): The given value is used. Turn" in _caution(
+    assert "not estimated. The given value is used. Do not" in _caution(
         content, "report.parameter_not_seen"
     )
     rows = _tables(document_of(content, {}))["Values estimated with the boresight"].rows

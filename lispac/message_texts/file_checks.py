@@ -174,9 +174,9 @@ TEXTS: Mapping[str, Template] = {
         "the heading, its unit and its sign."
     ),
     "trajectory.other_area": N_(
-        "{file}: in {system} ({name}) the positions lie at latitude {latitude:deg.1} and "
-        "longitude {longitude:deg.1} deg, but the system is meant for {area}. Check the "
-        "coordinate system, and the unit and order of eastings and northings."
+        "{file}: in {system} ({name}) the positions lie at latitude {latitude:deg.1} and longitude "
+        "{longitude:deg.1} deg, outside the area of this system: {area}. Check the coordinate "
+        "system, and the unit and order of eastings and northings."
     ),
     "trajectory.speed_differs": N_(
         "{file}: the positions move at {ratio:x.2} times the speed in columns {east} and {north}. "

@@ -45,7 +45,7 @@ TEXTS: Mapping[str, Template] = {
     "item.mean_distance": N_("{name} ({mean:mm.1+} mm, ± {interval:mm.1} mm)"),
     # -- angles ------------------------------------------------------------------------------
     "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
-    "item.angle_raised": N_("{angle} increased from {before:deg.4} to {after:deg.4} deg"),
+    "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),
     "item.angle_difference": N_("{angle} {difference:deg.2+} deg"),
     "item.angle_changed": N_(
         "{angle} by {change:deg.3+} deg ({ratio:x.1} times its standard deviation)"

@@ -295,8 +295,9 @@ TEXTS: Mapping[str, Template] = {
         "point {held:n}. The file is truncated. Copy or export it again."
     ),
     "pts.count_expected": N_(
-        "{file}, row {row:n}: a number of points is expected here, because the block of {points:n} "
-        "points that begins in row {head:n} is complete. Copy or export the file again."
+        "{file}, row {row:n}: a number of points is expected here, because the block that begins "
+        "in row {head:n} is complete (points in the block: {points:n}). Copy or export the file "
+        "again."
     ),
     "pts.no_count": N_(
         "{file}, row {row:n}: a PTS file begins with its number of points, but this row is "

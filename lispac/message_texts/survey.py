@@ -40,9 +40,9 @@ TEXTS: Mapping[str, Template] = {
         "of a vertical system, or a geoid grid (.gtx, .tif)."
     ),
     "crs.meant_elsewhere": N_(
-        "{system} is defined for {area}, but the trajectory is at latitude {latitude:deg.1}, "
-        "longitude {longitude:deg.1} deg. Check the coordinate system; the UTM zone of the "
-        "trajectory is {zone}."
+        "The trajectory (latitude {latitude:deg.1}, longitude {longitude:deg.1} deg) lies outside "
+        "the area of {system}: {area}. Check the coordinate system; the UTM zone of the trajectory "
+        "is {zone}."
     ),
     "crs.unknown_unit": N_("There is no unit of height {unit}. Choose {units:choices}."),
     "crs.not_geographic": N_(

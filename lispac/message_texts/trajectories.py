@@ -47,7 +47,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "trajectory.exchanged_position": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
-        "impossible. They may be swapped: reverse the names of the two columns."
+        "impossible. They may be swapped. Check the order of the two columns."
     ),
     "trajectory.position_in_degrees": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "

@@ -29,7 +29,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     picked.bot.waitUntil(lambda: shown(picked, "T1", line, Role.DecorationRole) is not None)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
     assert "m²" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert " % of the area found on the other lines" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert " % of what the other lines show" in shown(picked, "T1", line, Role.ToolTipRole)
     assert "before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
     assert shown(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
