@@ -99,7 +99,7 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     words = ("--distance-to", "quadric", "--neighbours", 20)
     (bent,) = answer(capsys, "validate", project, *words)["planes"]
     assert bent["model"] == {"kind": "quadric", "neighbours": 20, "radius": None}
-    assert "needs at least 3 neighbours" in refused(capsys, "validate", project, "--neighbours", 2)
+    assert "at least 3 neighbouring" in refused(capsys, "validate", project, "--neighbours", 2)
     planes = answer(capsys, "validate", project)["planes"]
     assert [plane["name"] for plane in planes] == ["V1"]
     assert planes[0]["model"]["kind"] == "plane"
@@ -275,7 +275,7 @@ def test_text_line_with_named_columns(
     message = refused(
         capsys, *new_words(tmp_path / "other", raw, tmp_path / "line.csv"), "--columns", "time,x,y"
     )
-    assert "lack z" in message
+    assert "columns are missing: z" in message
 
 
 def test_a_refused_pick_leaves_the_project_as_it_was(

@@ -255,7 +255,9 @@ def test_lines_that_share_nothing_are_noted_by_their_names(
 ) -> None:
     at_hand(quality)
     out, err = told(capsys, "quality", project.folder)
-    assert err == "note: L1_000 and L4_225 share no flat place.\n"
+    assert err == (
+        "note: Lines L1_000 and L4_225 have no flat area in common, so they cannot be compared.\n"
+    )
     rows = [row.split()[:2] for row in out.splitlines()[2:]]
     compared = {(one, other) for one, other in rows if one != "all"}
     assert compared

@@ -197,7 +197,7 @@ def test_text_columns_in_any_order_and_passed_over(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "columns", "said"),
     [
-        ("1 2 3 4\n", ("time", "x", "y"), "z is missing"),
+        ("1 2 3 4\n", ("time", "x", "y"), "column names: z"),
         ("1 2 3 4\n", (), "has no column names"),
         ("1 2 3 4\n", ("time", "x", "x", "y", "z"), "more than one column has the name x"),
         ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: the row has 3 columns"),

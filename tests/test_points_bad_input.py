@@ -143,7 +143,7 @@ def test_no_time(tmp_path: Path) -> None:
         assert "file.no_such_field" in told
         assert "when" in told
     path = files.text(tmp_path / "a.csv", "{x} {y} {z} {ring}")
-    assert "time is missing" in said(path, "a.csv", {"columns": "x y z ring"})
+    assert "column names: time" in said(path, "a.csv", {"columns": "x y z ring"})
     assert "has no column names" in said(path, "a.csv")
 
 

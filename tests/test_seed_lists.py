@@ -120,7 +120,7 @@ def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None
     assert "row 2: T2: " in far
     assert "5.04123e+06" in far or "5041234.0" in far
     assert "km from the trajectory" in far
-    assert "lack z" in refused(capsys, folder, good, "--columns", "name,x,y")
+    assert "columns are missing: z" in refused(capsys, folder, good, "--columns", "name,x,y")
     none = refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
     assert "at any of the 2 seeds. A (row 1): " in none
 

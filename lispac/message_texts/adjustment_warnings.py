@@ -37,7 +37,7 @@ TEXTS: Mapping[str, Template] = {
         "The proposed targets are too few or too close together to detect errors in the data. Use "
         "the targetless method, which adjusts many small surfaces, or put up boards."
     ),
-    "data.same_on_lines": N_("{reason} The same applies to {lines:names}."),
+    "data.same_on_lines": N_("{reason} The same warning applies to {lines:names}."),
     # -- angles ------------------------------------------------------------------------------
     "adjustment.independent_pos_errors": N_(
         "The adjustment assumes uncorrelated POS errors (classical), but the errors of "

@@ -202,8 +202,8 @@ TEXTS: Mapping[str, Template] = {
         "Plane of {area:x.1} m², {height:m.0} m high, observed on {lines:n} lines."
     ),
     "propose.validation_plane_reciprocal": N_(
-        "Plane of {area:x.1} m², {height:m.0} m high, observed on {lines:n} lines, including lines "
-        "in opposite directions."
+        "Plane of {area:x.1} m², {height:m.0} m high, observed on {lines:n} lines, including "
+        "reciprocal lines."
     ),
     "propose.validation_plane_poor": N_("{plane} Poorly observed on {lines:names}: {reason}"),
 }

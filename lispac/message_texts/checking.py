@@ -71,7 +71,7 @@ TEXTS: Mapping[str, Template] = {
         "The points of a line lie on one straight line and do not determine a plane."
     ),
     "validation.line_out_of_reach": N_(
-        "The line has no surface within the search distance of the reference."
+        "No surface of the line lies within the search distance of the reference."
     ),
     "validation.no_flat_point": N_("No surveyed point lies opposite a flat area of the line."),
     "validation.no_place_in_both": N_(
@@ -119,10 +119,12 @@ TEXTS: Mapping[str, Template] = {
         "The heading of line {line}, which has points on {plane}, is not given."
     ),
     # -- repeatability -----------------------------------------------------------------------------
-    "validation.repeatability_values": N_("{name}: three angles and their covariance are needed."),
+    "validation.repeatability_values": N_(
+        "{name}: a calibration must have three angles and their covariance matrix to be compared."
+    ),
     "validation.repeatability_covariance": N_(
-        "{name}: the covariance is not positive definite. A calibration without uncertainty cannot "
-        "be compared."
+        "{name}: the covariance matrix of the angles is not valid (not positive definite), so this "
+        "calibration cannot be compared."
     ),
     "validation.repeatability_few": N_(
         "Repeatability is computed from at least two calibrations of the same mounting. Add a "

@@ -137,7 +137,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "assumed.time_shift": N_("{file}: {shift:s.3+} s are added to the times."),
     "assumed.cidco_columns": N_("The columns are in the order defined by CIDCO."),
-    "assumed.scanner_coordinates": N_("The coordinates in the scanner frame are used."),
+    "assumed.scanner_coordinates": N_("The coordinates of the file in the scanner frame are used."),
     "assumed.other_columns_kept": N_(
         "The local coordinates and the POS states are stored as attributes of the points."
     ),

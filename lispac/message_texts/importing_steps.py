@@ -270,7 +270,7 @@ TEXTS: Mapping[str, Template] = {
     "import.before_trajectory": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
         "{start:s.1} to {end:s.1} s). The line ends {distance:s.0} s before the trajectory starts, "
-        "also in any other known time base. Give the trajectory of the same survey, or exclude the "
+        "and no other known time base fits. Give the trajectory of the same survey, or exclude the "
         "line."
     ),
     "import.after_trajectory": N_(

@@ -126,8 +126,8 @@ TEXTS: Mapping[str, Template] = {
         "the file or export it again."
     ),
     "file.no_coordinates": N_(
-        "{file}: the points have no {axes:names} (fields: {fields:names}). Export them with "
-        "coordinates and time."
+        "{file}: the points have no coordinates {axes:names} (fields: {fields:names}). Export them "
+        "with coordinates and time."
     ),
     "file.no_such_field": N_(
         "{file}: there is no field {field}. Choose one of its fields: {fields:names}."
@@ -231,7 +231,8 @@ TEXTS: Mapping[str, Template] = {
         "the file again."
     ),
     "pcd.header_incomplete": N_(
-        "{file}: the PCD header is damaged: {entries:names} is missing. Export the file again."
+        "{file}: the PCD header is damaged (missing entries: {entries:names}). Export the file "
+        "again."
     ),
     "pcd.header_damaged": N_(
         "{file}: the PCD header is damaged ({reason}). Export the file again."

@@ -99,7 +99,7 @@ TEXTS: Mapping[str, Template] = {
         "On validation plane {target} the distances between the lines are larger after the "
         "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm)."
     ),
-    "report.methods_differ": N_("Alternative method: {reason}"),
+    "report.methods_differ": N_("Comparison with an alternative method: {reason}"),
     "report.absolute_nearer": N_(
         "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
         "%) nearer to the vessel than the reference. The uncertainties of reference, POS and "

@@ -113,7 +113,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "finder.sphere_flat": N_("The surface around {place} is flat, not a sphere."),
     # -- search in all lines -----------------------------------------------------------------------
-    "finder.unknown_line": N_("There is no line named {line}."),
+    "finder.unknown_line": N_("There is no line named {line}. Check the name."),
     "finder.no_line_for_plane": N_(
         "There is no line in which to search for a plane. Import a line first."
     ),

@@ -35,8 +35,8 @@ TEXTS: Mapping[str, Template] = {
         "are required."
     ),
     "text.columns_missing": N_(
-        "{file}: {missing:names} is missing in the given column names ({names:names}). Name every "
-        "column of the file from the left."
+        "{file}: these columns are missing in the given column names: {missing:names} (given: "
+        "{names:names}). Name every column of the file from the left."
     ),
     "text.duplicate_columns": N_(
         "{file}: more than one column has the name {names:choices}. Give each name once."

@@ -70,13 +70,13 @@ TEXTS: Mapping[str, Template] = {
         "height, roll, pitch and heading."
     ),
     "trajectory.columns_missing": N_(
-        "{file}: {missing:names} is missing in the columns {names:names}. Export the missing "
-        "columns as well, or name the columns."
+        "{file}: these columns are missing: {missing:names} (found: {names:names}). Export the "
+        "missing columns as well, or name the columns."
     ),
     "trajectory.position_missing": N_(
-        "{file}: {missing:names} is missing in the columns {names:names}. Export the missing "
-        "columns as well (easting and northing can replace latitude and longitude), or name the "
-        "columns."
+        "{file}: these columns are missing: {missing:names} (found: {names:names}). Export the "
+        "missing columns as well (easting and northing can replace latitude and longitude), or "
+        "name the columns."
     ),
     "trajectory.unknown_column": N_(
         '{file}: "{column}" is not a column name. Name the columns from the left with '

@@ -208,9 +208,13 @@ TEXTS: Mapping[str, Template] = {
     "history.no_project": N_(
         "No project was found in {folders:names}. Choose a folder that contains projects."
     ),
-    "history.none": N_("These folders contain no calibration with a result and a date."),
+    "history.none": N_(
+        "These folders contain no calibration with a result and a date. Estimate the boresight of "
+        "a project and enter its survey dates."
+    ),
     "history.none_of_vessel": N_(
-        "These folders contain no calibration of {vessel} with a result and a date."
+        "These folders contain no calibration of {vessel} with a result and a date. Estimate the "
+        "boresight of a project and enter its survey dates."
     ),
     "history.none_and_excluded": N_("{reason} A project is not used: {excluded}"),
     "history.excluded": N_("A project is not used: {reason}"),

@@ -194,7 +194,7 @@ def test_thesis_mode_keeps_its_warning(picked: Driver):
     click(picked, picked.window.adjust.findChild(QWidget, "model_independent"))
     estimate(picked)
     assert not picked.project.result.model.correlated
-    assert "uncorrelated (classical)" in picked.window.results.warnings.text()
+    assert "uncorrelated POS errors" in picked.window.results.warnings.text()
     assert picked.window.results.warnings.isVisible()
 
 
