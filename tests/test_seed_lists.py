@@ -67,7 +67,7 @@ def test_a_list_gives_what_single_picks_give(
         f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
         "the reason. The targets found at the other seeds are saved."
     )
-    assert "note: Columns as named: name, north, west and up." in err
+    assert "note: Columns identified by their names: name, north, west and up." in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
     assert set(table) == {"T1", "T2", "V1", "Lost"}
     assert "6 of 6" in table["T1"]
@@ -132,7 +132,7 @@ def test_a_name_that_is_taken_is_refused_or_replaced(
     path.write_text(rows("T1", "V1"))
     assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
     again = rows("T2", "T1", offset=0.05)
-    assert "row 2: the project already has a T1" in refused(capsys, folder, again)
+    assert "row 2: the project already has a target named T1" in refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)

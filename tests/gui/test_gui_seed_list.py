@@ -76,7 +76,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
     assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
-    assert "Columns by their order: name, north, west and up." in said
+    assert "Columns identified by their order: name, north, west and up." in said
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
