@@ -252,7 +252,7 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
         ("no gps_time", "point format 0 has no GPS time"),
         ("outside the trajectory", "no point lies within the trajectory"),
         ("empty line", "this file contains no points"),
-        ("missing column", "line.txt: no row has four numbers or more"),
+        ("missing column", "line.txt: no row contains four or more numbers"),
     ],
 )
 def test_bad_input_is_refused_and_no_project_is_left(

@@ -37,7 +37,7 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
     assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
     said = told(capsys, "predict", PORT)
-    assert "The weakest direction is pitch" in said
+    assert "Least precisely determined: pitch" in said
     assert "correlation roll-pitch" in said
 
 

@@ -213,7 +213,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
         "sigmas roll 0.010, pitch 0.020, yaw 0.030 deg",
     ]  # fmt: skip
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
-    assert "One in 3 of them" in err
+    assert "one in 3 of them" in err
     assert read_project(project.folder).targets == ()
     numbers = answer(capsys, "propose", project.folder, "--accept")
     assert numbers["accepted"] is True

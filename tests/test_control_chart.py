@@ -128,7 +128,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "spring" not in out
     assert "undated" not in error  # it is of the other vessel
     code, out, _ = run(capsys, "history", tmp_path, "--vessel", "Nordlys")
-    assert "autumn differs from" in out
+    assert "autumn differs significantly from" in out
     assert "+0.300 deg" in out
 
 

@@ -115,10 +115,10 @@ HALF = {
     # The post stands before one half of the board; from the north-west it is passed beside it.
     # By what the rough boresight is off, and by the noise of its outermost points, it is a few
     # millimetres wider or narrower.
-    "L1": ("poor", r"0\.6[0-2] of 1\.2[34] m wide"),
-    "L2": ("poor", r"0\.6[0-2] of 1\.2[34] m wide"),
-    "L3": ("doubtful", r"0\.70 of 1\.2[34] m wide"),
-    "L4": ("doubtful", r"0\.70 of 1\.2[34] m wide"),
+    "L1": ("poor", r"0\.6[0-2] m of 1\.2[34] m in width"),
+    "L2": ("poor", r"0\.6[0-2] m of 1\.2[34] m in width"),
+    "L3": ("doubtful", r"0\.70 m of 1\.2[34] m in width"),
+    "L4": ("doubtful", r"0\.70 m of 1\.2[34] m in width"),
     "L5": ("good", ""),
     "L6": ("good", ""),
 }

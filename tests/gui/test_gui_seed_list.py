@@ -98,7 +98,7 @@ def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, li
         assert "tick to replace" in table.item(0, 6).text()
         columns = dialog.findChild(QLineEdit, "list_columns")
         picked.bot.keyClicks(columns, "name,x,y")
-        assert "the columns lack z" in dialog.findChild(QLabel, "list_said").text()
+        assert "columns are missing: z" in dialog.findChild(QLabel, "list_said").text()
         assert not pick.isEnabled()
         assert table.rowCount() == 0
         picked.bot.keyClicks(columns, ",z")
