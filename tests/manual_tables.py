@@ -45,6 +45,7 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.io.registry import Format, Option
 from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
 from lispac.message_texts import TOPICS, message_text
+from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.french_catalogue import FRENCH
 from tests.manual_samples import assumed, samples
@@ -70,9 +71,63 @@ PROGRAMS = {
     "fr": ("X, Y, Z :", "Angles :", "Produit :", "État :", "Source :", "Supposé :"),
 }
 MESSAGES = {
-    "en": ("Code", "Level", "English", "French"),
-    "fr": ("Code", "Niveau", "Anglais", "Français"),
+    "en": ("Code", "Level", "When it appears", "English", "French"),
+    "fr": ("Code", "Niveau", "Quand il apparaît", "Anglais", "Français"),
 }
+LANGUAGE_COLUMNS = ("en", "fr")
+TOPIC_TITLES = {
+    "adjustment": ("Adjustment", "Compensation"),
+    "adjustment_warnings": (
+        "Warnings about targets and the adjustment",
+        "Avertissements sur les cibles et la compensation",
+    ),
+    "calibration": (
+        "Picking targets and estimating the boresight",
+        "Désignation des cibles et estimation des angles de visée",
+    ),
+    "checking": ("Validation and patch test", "Validation et patch test"),
+    "commands": (
+        "Command line, scripts, window and report",
+        "Ligne de commande, scripts, fenêtre et rapport",
+    ),
+    "conventions": ("Conventions of other programs", "Conventions d'autres logiciels"),
+    "file_checks": ("Checks of input files", "Contrôles des fichiers d'entrée"),
+    "file_contents": (
+        "Contents of input files and input assumptions",
+        "Contenu des fichiers d'entrée et hypothèses de lecture",
+    ),
+    "importing": ("Files of a survey and their points", "Fichiers d'un levé et leurs points"),
+    "importing_steps": ("Import of lines", "Importation des lignes"),
+    "items": ("Quantities and items within messages", "Grandeurs et éléments dans les messages"),
+    "output": ("Export and reports", "Exportation et rapports"),
+    "planning": ("Survey planning and simulation", "Préparation et simulation d'un levé"),
+    "planning_steps": (
+        "Survey plans, simulations and computer clusters",
+        "Projets de levé, simulations et grappes d'ordinateurs",
+    ),
+    "point_files": (
+        "Files that cannot be read or written, and point files",
+        "Fichiers illisibles ou impossibles à écrire, et fichiers de points",
+    ),
+    "program": ("Program and its folders", "Programme et ses dossiers"),
+    "project_warnings": ("Warnings about an open project", "Avertissements sur un projet ouvert"),
+    "projects": ("Projects, settings and targets", "Projets, réglages et cibles"),
+    "report_warnings": ("Warnings in a report", "Avertissements d'un rapport"),
+    "settings_files": ("TOML and JSON files", "Fichiers TOML et JSON"),
+    "store": ("Imported lines in the project folder", "Lignes importées dans le dossier du projet"),
+    "survey": ("Coordinate systems, times and points", "Systèmes de coordonnées, temps et points"),
+    "targets": ("Search for targets and their quality", "Recherche des cibles et leur qualité"),
+    "text_files": (
+        "Text files, lists of coordinates, static scans and plane files",
+        "Fichiers texte, listes de coordonnées, balayages statiques et fichiers de plans",
+    ),
+    "trajectories": ("Trajectory files", "Fichiers de trajectoire"),
+    "workflow": (
+        "Projects, checks, history and sensors",
+        "Projets, contrôles, historique et capteurs",
+    ),
+}
+"""English and French title of each topic of messages, by the name of its module."""
 PANELS: dict[str, Callable[[], QWidget]] = {
     "data": DataPanel, "targets": TargetsPanel, "adjust": AdjustPanel, "validate": ValidatePanel,
     "histograms": HistogramsPanel, "report": ReportPanel, "convention": ConventionPanel,
@@ -280,10 +335,15 @@ def _messages(language: str) -> str:
     parts = []
     for topic in TOPICS:
         rows = [
-            (f"`{code}`", ", ".join(sorted(levels.get(code, ()))), *_shown(template))
+            (
+                f"`{code}`",
+                ", ".join(sorted(levels.get(code, ()))),
+                gettext(OCCASIONS[code.partition(".")[0]]),
+                *_shown(template),
+            )
             for code, template in sorted(topic.TEXTS.items())
         ]
-        title = topic.__doc__.split("\n")[0].rstrip(".")
+        title = TOPIC_TITLES[topic.__name__.rpartition(".")[2]][LANGUAGE_COLUMNS.index(language)]
         parts.append(f"## {title}\n\n{_table(MESSAGES[language], rows)}")
     return "\n".join(parts)
 

@@ -70,13 +70,13 @@ def test_a_single_line(tmp_path: Path, off: float, level: Level | None) -> None:
     ((code, (how, text)),) = found.items()
     by_chance = "_by_chance" if level is Level.NOTE else ""
     assert (code, how) == (f"report.absolute_line_off{by_chance}", level)
-    assert "1 of 6 lines is off by more than its errors explain" in text
+    assert "1 of 6 lines deviates from the reference by more than its uncertainty" in text
     assert f"L3 ({1000 * off:+.1f} mm, ± 23.5 mm)" in text
 
 
 def test_several_lines_agree_in_number(tmp_path: Path) -> None:
     (text,) = (t for _, t in told(tmp_path, check({"L1": 0.03, "L2": 0.03})).values())
-    assert "2 of 6 lines are off by more than their errors explain" in text
+    assert "2 of 6 lines deviate from the reference by more than their uncertainty" in text
 
 
 def test_surveyed_planes(tmp_path: Path) -> None:

@@ -135,7 +135,7 @@ def test_what_cannot_be_done_is_said_at_once(
     with pytest.raises(ProjectError) as raised:
         lispac.batch(tmp_path / "nowhere")
     assert raised.value.code == "history.no_folder"
-    with pytest.raises(InputError, match="not as doc"):
+    with pytest.raises(InputError, match="written as doc"):
         lispac.batch(projects, form="doc")
     assert main(["batch", str(projects), "--report-format", "pdf"]) == 2
     assert "go with --reports DIR" in capsys.readouterr().err

@@ -95,7 +95,7 @@ def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     assert three["sigma_deg"] == pytest.approx((sigma / np.sqrt(2)).tolist())
     _, out, err = run(capsys, "compare", tmp_path / "a", tmp_path / "b")
     assert "spread" not in out
-    assert "all together counts them once" in err
+    assert "count them once" in err
 
 
 def test_copies_of_lines_are_the_same_lines(tmp_path: Path) -> None:

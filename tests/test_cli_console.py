@@ -100,4 +100,4 @@ def test_the_module_is_a_program(
     with pytest.raises(SystemExit) as ended:
         runpy.run_path(str(entry.__file__), run_name="__main__")
     assert ended.value.code == 1
-    assert "contains no project" in capsys.readouterr().err
+    assert "does not contain a project" in capsys.readouterr().err

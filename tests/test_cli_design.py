@@ -37,7 +37,7 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
     assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
     said = told(capsys, "predict", PORT)
-    assert "The weakest direction is pitch" in said
+    assert "Least precisely determined: pitch" in said
     assert "correlation roll-pitch" in said
 
 
@@ -45,15 +45,15 @@ def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_
     text = PORT.read_text()
     one_way = tmp_path / "one-way.toml"
     one_way.write_text(text.replace("from_level_deg = 45\n", ""))
-    assert "All targets face the same way" in told(capsys, "predict", one_way)
+    assert "All targets have the same orientation" in told(capsys, "predict", one_way)
     one_line = tmp_path / "one-line.toml"
     one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
     found = answer(capsys, "predict", one_line)
     assert found["sigma_deg"] is None
     assert found["words"] == [
-        "This plan does not determine the boresight. Add lines in other directions."
+        "This survey plan does not determine the boresight. Add lines in other directions."
     ]
-    assert "plan file does not exist" in refused(capsys, "predict", tmp_path / "none.toml")
+    assert "survey plan file does not exist" in refused(capsys, "predict", tmp_path / "none.toml")
 
 
 def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -107,7 +107,7 @@ def test_limits_that_make_no_sense_are_refused(
 ) -> None:
     site = tmp_path / "site.toml"
     site.write_text(QUAY.read_text().replace("on_site_min = 60", "on_site_min = 5"))
-    assert "longer than the 5.0 minutes on site" in refused(capsys, "design", site)
+    assert "longer than the 5.0 minutes available" in refused(capsys, "design", site)
 
 
 def test_replay_of_the_built_in_survey(
@@ -137,5 +137,5 @@ def test_replay_of_the_built_in_survey(
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
     strange.write_text(text)
-    assert "has no target of this plan" in refused(capsys, "replay", folder, "--plan", strange)
+    assert "no target of this survey plan" in refused(capsys, "replay", folder, "--plan", strange)
     assert read_plan(strange).plan.targets[0].name == "A"

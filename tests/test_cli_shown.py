@@ -56,8 +56,8 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
     print_doubtful(found)
     assert capsys.readouterr().out.splitlines() == [
         "", "Sightings that are less than good:",
-        "- T2 on L1: Poor. The points cover only 40 % of its outline.",
-        "- T1 on L2: Doubtful. It has only 48 points.",
+        "- T2 on L1: Poor. The points cover only 40 % of the area within the outline.",
+        "- T1 on L2: Doubtful. The sighting has only 48 points.",
     ]  # fmt: skip
     print_doubtful({("T1", "L1"): quality("good")})
     assert capsys.readouterr().out == ""
@@ -104,7 +104,7 @@ def test_what_a_plan_leaves_open_has_no_number(
 ) -> None:
     plan = one_line(tmp_path / "plan.toml")
     out, _ = told(capsys, "predict", plan)
-    assert "This plan does not determine the boresight" in out
+    assert "This survey plan does not determine the boresight" in out
     assert "sigma      " not in out
     assert "correlation" not in out
     assert "without" in out

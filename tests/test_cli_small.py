@@ -213,7 +213,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
         "sigmas roll 0.010, pitch 0.020, yaw 0.030 deg",
     ]  # fmt: skip
     assert [row.split(":")[1] for row in err.splitlines()] == [" V1 on L1_000", " V1 on L2_180"]
-    assert "One in 3 of them" in err
+    assert "one in 3 of them" in err
     assert read_project(project.folder).targets == ()
     numbers = answer(capsys, "propose", project.folder, "--accept")
     assert numbers["accepted"] is True
@@ -255,7 +255,9 @@ def test_lines_that_share_nothing_are_noted_by_their_names(
 ) -> None:
     at_hand(quality)
     out, err = told(capsys, "quality", project.folder)
-    assert err == "note: L1_000 and L4_225 share no flat place.\n"
+    assert err == (
+        "note: Lines L1_000 and L4_225 have no flat area in common, so they cannot be compared.\n"
+    )
     rows = [row.split()[:2] for row in out.splitlines()[2:]]
     compared = {(one, other) for one, other in rows if one != "all"}
     assert compared
@@ -340,7 +342,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     good, none = json.loads(out)["seeds"]
     assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
     assert set(good["lines"]) == {"L1_000", "L2_180"}
-    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["It has only 50 points."]
+    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["The sighting has only 50 points."]
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
         "reason": english_text(note("finder.not_alike")), "lines": {}, "missing": {},
@@ -371,7 +373,7 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert out.splitlines()[1].startswith("targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
-    assert "there is only one line" in notes["targetless"]
+    assert "the project has only one line" in notes["targetless"]
     assert "has not been asked" not in err
     _, err = told(capsys, "compare", project.folder)
     assert err.count("has not been asked") == 3

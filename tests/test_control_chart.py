@@ -128,7 +128,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "spring" not in out
     assert "undated" not in error  # it is of the other vessel
     code, out, _ = run(capsys, "history", tmp_path, "--vessel", "Nordlys")
-    assert "autumn differs from" in out
+    assert "autumn differs significantly from" in out
     assert "+0.300 deg" in out
 
 
@@ -141,7 +141,10 @@ def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_p
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "project.json").write_text("{}")
     found = answer(capsys, "history", tmp_path)
-    assert any("b" in remark and remark.startswith("Not used: ") for remark in found["remarks"])
+    assert any(
+        "b" in remark and remark.startswith("A project is not used: ")
+        for remark in found["remarks"]
+    )
 
 
 def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:

@@ -93,8 +93,8 @@ def test_offsets_that_belong_to_the_boresight_are_named() -> None:
     found = offsets_note(with_offsets)
     assert found is not None
     assert message_text(found) == (
-        "The boresight holds together with range offset +0.1000 m and latency +5.0000 ms. Apply "
-        "that there too."
+        "The boresight angles are valid only together with range offset +0.1000 m and latency "
+        "+5.0000 ms. Apply these corrections in the other program too."
     )
     angle = float(np.radians(-0.25))
     found = offsets_note(Mounting(np.zeros(3), np.zeros(3), scan_angle_offset=angle))

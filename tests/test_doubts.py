@@ -192,44 +192,47 @@ def _not_flat(project: Project) -> Project:
 
 
 CASES = [
-    ("contradicted_lever_x", True, _contradicted, "The data contradict the given lever arm X. They "
-     "fit a value smaller by 0.0951 m (+/- 0.0041 m, w -23.2), which would change pitch by -"),
-    ("surfaces_differ", False, _bent, "deviate by 7.1 mm (1 sigma) from their common shape"),
+    ("contradicted_lever_x", True, _contradicted, "The data do not agree with the given lever arm "
+     "X. The best-fitting value is smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), which "
+     "would change pitch by -"),
+    ("surfaces_differ", False, _bent, "differ between lines by 7.1 mm (1 sigma)"),
     ("surfaces_displaced", False, _displaced, "displaced by 7.1 mm and tilted by 0.0 mm"),
     ("large_sigma", True, _wide, "(1 sigma): roll 0.49 deg. Add targets"),
     ("large_sigma_unseen", True, _unseen, "do not determine: scan-angle offset. Give"),
-    ("line_unchecked", True, _unchecked("line", lines=2), "any one of the lines L1 and L2 is"),
+    ("line_unchecked", True, _unchecked("line", lines=2), "any one of the lines L1 and L2 the"),
     ("target_unchecked", True, _unchecked("target", of_target=True), "Without target T1"),
-    ("targets_clustered", True, _unchecked("clustered", size=0.031), "within 3 % of"),
+    ("targets_clustered", True, _unchecked("clustered", size=0.031), "over only 3 % of"),
     ("carried_by_one", True, _unchecked("sighting", lines=1, of_target=True,
                                         angles=("pitch", "yaw")), "T1 on line L1 (pitch and yaw)"),
     ("target_excluded", False, _excluded, "other targets and lines: T1 and T2"),
     ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
-    ("target_parts", False, _cut(0.0), "not shown to be flat: T1"),
+    ("target_parts", False, _cut(0.0), "may not be flat: T1"),
     ("radii_differ", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
-    ("radii_pitch_sign", True, _radii("pitch_sign"), "agree with the opposite sign of pitch"),
-    ("radii_parameter", True, _radii("latency", -0.02), "mounting: latency smaller by 20.00 ms"),
+    ("radii_pitch_sign", True, _radii("pitch_sign"), "opposite sign of pitch the radii agree"),
+    ("radii_parameter", True, _radii("latency", -0.02), "agree (latency smaller by 20.00 ms)"),
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
-    ("sigmas_raised", False, _raised, "deviations are increased: pitch from 0.0291 to 0.0728"),
-    ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 of its sigmas)"),
+    ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
+    ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 times its standard"
+     " deviation)"),
     ("high_correlation", False, _told_apart_badly, "correlation of roll and pitch is -0.97"),
-    ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated (classical)"),
-    ("steep_pitch", False, _steep, "The boresight pitch is steep"),
-    ("surface_held", False, _model(surface=0.0), "The surface sigma is fixed at 0"),
-    ("released", False, _sighting(released=True, shift=-0.0483, w=-9.34), "the other sightings "
-     "contradict it: T1 on line L1 (off by 48.3 mm, w -9.3)."),
-    ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "contradict it, but it is used: T1 "
-     "on line L1 (off by 20.0 mm, w +5.5)."),
-    ("line_jumped", False, _line_gone, "All targets are off on line L3"),
-    ("strays_full_weight", False, _sighting(strays=60), "Outliers: 60 of"),
+    ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
+    ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
+    ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),
+    ("released", False, _sighting(released=True, shift=-0.0483, w=-9.34), "was rejected: "
+     "T1 on line L1 (displaced by 48.3 mm, test value w = -9.3)."),
+    ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "but is used: T1 on line "
+     "L1 (displaced by 20.0 mm, test value w = +5.5)."),
+    ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
+    ("strays_full_weight", False, _sighting(strays=60), "60 of"),
     ("noise", False, _noise(1.0, 2.4), "on T2 are larger than the LiDAR noise or correlated over "
-     "the surface, as with 2.4 times the given noise. The surface"),
+     "the surface. They correspond to 2.4 times the given noise. The surface"),
     ("noise", False, _noise(2.2, 2.4), "on T2 and T1 are larger than the LiDAR noise or correlated "
-     "over the surface, as with up to 2.4 times the given noise."),
-    ("not_flat", True, _not_flat, "as with 2.4 times the given noise. The target is probably"),
-    ("another_surface", False, _noise(41.0, 1.0), "The points of T1 deviate from their surface by "
-     "41.0 times the LiDAR noise"),
+     "over the surface. They correspond to up to 2.4 times the given noise."),
+    ("not_flat", True, _not_flat, "correspond to 2.4 times the given noise. The target is "
+     "probably"),
+    ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
+     "surface by 41.0 times the LiDAR noise"),
     ("one_facing", True, _facing(2), "All targets are nearly parallel"),
     ("one_target", True, _facing(1), "T1 is the only target"),
 ]  # fmt: skip

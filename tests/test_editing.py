@@ -131,7 +131,7 @@ def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
     thin = replace(target, sightings=(twice,))
     first = iter([True])
     with pytest.raises(
-        ProjectError, match="T1: the points that would be left do not form a surface"
+        ProjectError, match="T1: the remaining points do not form a plane or a sphere"
     ):
         without_points(
             thin, survey.clouds, lambda p: np.arange(len(p)) < (1 if next(first, False) else 0)

@@ -43,7 +43,7 @@ def test_the_terminal_compares_and_keeps_it(
     assert main([*place, "--expected", "1.23", "1.22", "45", "--json"]) == 0
     lines = json.loads(capsys.readouterr().out)["lines"]
     for values in lines.values():
-        assert "more than the 45.0 deg expected" in " ".join(values["quality"]["reasons"])
+        assert "more than the expected 45.0 deg" in " ".join(values["quality"]["reasons"])
     expected = read_project(copy.folder).target("T1").expected
     assert expected == ExpectedTarget(1.23, 1.22, radians(45))
     assert main([*place, "--expected", "0", "1.22", "45"]) == 1

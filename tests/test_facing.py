@@ -32,7 +32,7 @@ def test_it_is_said_of_what_the_estimate_refuses_and_of_nothing_else(
             "project.one_facing" in [each.code for each in warnings_of(few, survey)]
         )
         if told[names]:
-            with pytest.raises(RankDeficient, match="face the same way"):
+            with pytest.raises(RankDeficient, match="same orientation"):
                 estimate(few, survey, cross_check=False)
         else:
             estimate(few, survey, cross_check=False)

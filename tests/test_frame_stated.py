@@ -96,9 +96,9 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "0"]
     assert main(command) != 0
-    assert "name no coordinate system. Give its EPSG code" in "".join(capsys.readouterr())
+    assert "have no coordinate system. Give its EPSG code" in "".join(capsys.readouterr())
     assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
-    assert "states no coordinate system" not in "".join(capsys.readouterr())
+    assert "does not specify a coordinate system" not in "".join(capsys.readouterr())
     intake = taken_in(Intake(), track, line)
     assert "points.no_system" in codes_about(intake, "utm.las")
     intake = taken_in(intake.with_option(line, "crs", SYSTEM))

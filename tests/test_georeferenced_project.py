@@ -277,8 +277,8 @@ def test_from_the_command_line(
         "file": str(tmp_path / "out" / "L1_prior.las"), "points": SMALL - 5, "outside": 5,
         "in_gaps": 0,
     }  # fmt: skip
-    assert f"L1_prior.las: 5 of {SMALL:,} points lie before or after the trajectory." in err
-    assert "taken as heights above the ellipsoid" in err
+    assert f"L1_prior.las: 5 of {SMALL:,} points were recorded before or after" in err
+    assert "assumed to be ellipsoidal" in err
     assert main([*words, "--crs", "local"]) == 0
     out, err = capsys.readouterr()
     assert out.split("\n")[1] == f"{tmp_path / 'out' / 'L2_prior.laz'}  {COUNT} points"

@@ -45,7 +45,8 @@ def test_half_a_board_is_half_whatever_the_line_lies_beside():
     half, whole = shares(seen(wide=(0.0, 0.6), beside=0.3), seen())
     assert half.share == pytest.approx(0.5, abs=0.01)
     assert message_text(half.message) == (
-        "It shows 50 % of what the other lines show: 0.60 of 1.20 m wide."
+        "On this line only 50 % of the area found on the other lines is visible: 0.60 m of 1.20 m "
+        "in width."
     )
     assert whole.share > 0.999
 

@@ -210,7 +210,7 @@ def test_auto_refuses_where_the_times_do_not_tell(
     demo_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
-    assert "the survey dates are not known" in capsys.readouterr().err
+    assert "the survey dates are unknown" in capsys.readouterr().err
 
 
 def test_auto_takes_the_days_that_the_times_tell(

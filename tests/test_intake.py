@@ -96,7 +96,7 @@ def test_two_trajectories_are_one_too_many_until_one_is_left_out(
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
     intake = taken_in(whole, second)
-    assert "more than one file has the role of the trajectory" in intake.problem("x")
+    assert "more than one file has the role of trajectory" in intake.problem("x")
     (leave_out,) = intake.remarks(named(intake, "second.sbet"))[0].actions
     mended = intake.with_action(second, leave_out)
     assert mended.state(mended.entry(second)) == "out"

@@ -197,13 +197,13 @@ def test_text_columns_in_any_order_and_passed_over(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "columns", "said"),
     [
-        ("1 2 3 4\n", ("time", "x", "y"), "lack z"),
-        ("1 2 3 4\n", (), "does not name its columns"),
+        ("1 2 3 4\n", ("time", "x", "y"), "column names: z"),
+        ("1 2 3 4\n", (), "has no column names"),
         ("1 2 3 4\n", ("time", "x", "x", "y", "z"), "more than one column has the name x"),
-        ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: the number of columns is 3"),
+        ("1 2 3 4\n1 2 3\n", ("time", "x", "y", "z"), "row 2: the row has 3 columns"),
         ("1 2 3 4\n1 2 x 4\n", ("time", "x", "y", "z"), "row 2"),
-        ("1 2 nan 4\n", ("time", "x", "y", "z"), "not a usable number"),
-        ("# nothing\n", ("time", "x", "y", "z"), "no row has four numbers"),
+        ("1 2 nan 4\n", ("time", "x", "y", "z"), "not usable numbers"),
+        ("# nothing\n", ("time", "x", "y", "z"), "no row contains four or more numbers"),
     ],
 )
 def test_bad_text_is_refused(

@@ -19,6 +19,7 @@ from lispac.io.values import decoded, encoded
 from lispac.language import LANGUAGES, Plural, Template, in_language, text_of
 from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
 from lispac.message_texts.former_codes import CODES, former_code
+from lispac.message_texts.occasions import OCCASIONS
 from lispac.messages import (
     MAX_LISTED,
     Action,
@@ -117,6 +118,11 @@ def test_no_code_is_in_two_topics() -> None:
 
 def test_catalogues_are_complete_and_up_to_date() -> None:
     assert catalogues.main(["check"]) == 0
+
+
+def test_every_first_word_of_a_code_has_a_phrase_on_when_it_appears() -> None:
+    assert set(OCCASIONS) == {code.partition(".")[0] for code in TEXTS}
+    assert all(OCCASIONS.values())
 
 
 def test_messages_are_made_with_the_parameters_of_their_texts() -> None:

@@ -184,7 +184,7 @@ def test_directions_and_condition_are_those_of_the_covariance() -> None:
     assert seen.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
     weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(seen.directions[:, 0])))]
     assert seen.remarks[0].code == "observability.directions"
-    assert english_text(seen.remarks[0]).startswith(f"The weakest direction is {weakest}")
+    assert english_text(seen.remarks[0]).startswith(f"Least precisely determined: {weakest}")
 
 
 def test_sigmas_without_a_line_are_those_of_the_adjustment_without_it() -> None:

@@ -43,7 +43,7 @@ def test_the_file_is_a_project_when_it_is_dropped(saved: Project, tmp_path: Path
 
 def test_the_file_alone_is_refused(tmp_path: Path) -> None:
     (tmp_path / OPENER).write_text(OPENER_TEXT)
-    with pytest.raises(ProjectError, match=r"project\.lispac: this folder contains no project"):
+    with pytest.raises(ProjectError, match=r"project\.lispac: this folder does not"):
         read_project(tmp_path / OPENER)
 
 

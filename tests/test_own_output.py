@@ -100,7 +100,7 @@ def test_a_target_that_is_cut_is_refused_with_its_row(
     (path,) = export_targets(project, survey, tmp_path, "estimated", ending="csv", names=["T1"])
     rows = path.read_text().splitlines()[:10]
     path.write_text("\n".join([*rows[:-1], rows[-1][:20]]))
-    with pytest.raises(InputError, match="row 10: the number of columns is 2"):
+    with pytest.raises(InputError, match="row 10: the row has 2 columns"):
         looks(path)[0].format.look(path, {})
 
 

@@ -109,12 +109,12 @@ def test_it_is_looked_at_as_a_cloud_without_time(tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("", "this static scan file is empty"),
-        ("\n \n", "holds no points"),
-        ("0\n", "holds no points"),
+        ("\n \n", "contains no points"),
+        ("0\n", "contains no points"),
         ("2\n1 2 3\n4 y 6\n", 'row 3: y is "y", which is not a usable value'),
-        ("2\n1 2 3\n4 5 nan\n", "point 2 has a coordinate that is not a usable number"),
-        ("2\n1 2 3\n4 1e300 6\n", "point 2 has a coordinate that is not a usable number"),
-        ("\0\1\2\3", "row 1: this is not text"),
+        ("2\n1 2 3\n4 5 nan\n", "a coordinate of point 2 is not a usable number"),
+        ("2\n1 2 3\n4 1e300 6\n", "a coordinate of point 2 is not a usable number"),
+        ("\0\1\2\3", "row 1: the content is not text"),
     ],
 )
 def test_refusals(tmp_path: Path, text: str, said: str) -> None:

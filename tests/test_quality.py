@@ -115,10 +115,10 @@ HALF = {
     # The post stands before one half of the board; from the north-west it is passed beside it.
     # By what the rough boresight is off, and by the noise of its outermost points, it is a few
     # millimetres wider or narrower.
-    "L1": ("poor", r"0\.6[0-2] of 1\.2[34] m wide"),
-    "L2": ("poor", r"0\.6[0-2] of 1\.2[34] m wide"),
-    "L3": ("doubtful", r"0\.70 of 1\.2[34] m wide"),
-    "L4": ("doubtful", r"0\.70 of 1\.2[34] m wide"),
+    "L1": ("poor", r"0\.6[0-2] m of 1\.2[34] m in width"),
+    "L2": ("poor", r"0\.6[0-2] m of 1\.2[34] m in width"),
+    "L3": ("doubtful", r"0\.70 m of 1\.2[34] m in width"),
+    "L4": ("doubtful", r"0\.70 m of 1\.2[34] m in width"),
     "L5": ("good", ""),
     "L6": ("good", ""),
 }
@@ -131,7 +131,7 @@ LINES = tuple(HALF)
     [
         ("5 cm proud", dict.fromkeys(LINES, ("good", ""))),
         ("bollard", HALF),
-        ("rippled", dict.fromkeys(LINES, ("poor", "It is not flat"))),
+        ("rippled", dict.fromkeys(LINES, ("poor", "The surface is not flat"))),
     ],
 )
 def test_on_simulated_sites(name, expected, off_deg):
@@ -163,10 +163,10 @@ def test_ripples_are_not_taken_for_the_work_of_the_boresight(off_deg):
         assert quality.share_shown is None
         assert quality.light == "poor", line
         assert "beyond the threshold of 10 mm" in texts(quality.reasons)
-        assert "It is not flat" in texts(quality.reasons), (line, quality.reasons)
+        assert "The surface is not flat" in texts(quality.reasons), (line, quality.reasons)
         assert "curved" not in texts(quality.reasons), (line, quality.reasons)
         assert quality.smear < 0.4 * quality.rms, (line, quality)
-        assert f"Its RMS of {1000 * quality.rms:.1f} mm is" in texts(quality.reasons)
+        assert f"The residuals (RMS {1000 * quality.rms:.1f} mm) are" in texts(quality.reasons)
 
 
 def test_the_expected_target_is_compared_in_words():

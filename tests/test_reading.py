@@ -143,7 +143,7 @@ def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
     formats = json.loads(capsys.readouterr().out)["formats"]
     assert formats[0]["format"] == "sbet"
     assert formats[0]["options"]["pitch"] == "bow-up"
-    assert any("above the ellipsoid" in said for said in formats[0]["assumptions"])
+    assert any("ellipsoidal" in said for said in formats[0]["assumptions"])
 
 
 @pytest.mark.parametrize(

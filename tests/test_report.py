@@ -223,7 +223,7 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
     (few,) = [each for each in content.cautions if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
     html = html_text(content, {})
-    assert "T1 on L2: Nothing in this line resembles the target and its surroundings." in html
+    assert "T1 was not found on L2. No surface on this line resembles the target and its" in html
 
 
 def test_truth_of_a_simulated_survey(project: Project) -> None:

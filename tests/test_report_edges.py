@@ -117,7 +117,7 @@ def test_planes_without_profiles_maps_and_signs_have_no_such_block(project: Proj
     assert sum("distance of the first line from the second" in title for title in gone) == 1
     assert "M3C2" in _text(whole)
     assert "M3C2" not in _text(less)
-    assert "Not compared" not in _text(less)
+    assert "could not be compared" not in _text(less)
 
 
 def test_what_the_lines_see_is_left_out_where_it_was_not_worked_out(project: Project) -> None:

@@ -107,7 +107,7 @@ def test_the_template_of_the_manual_is_one(language: str, tmp_path: Path) -> Non
         ("page = 'a5'", "report_template.no_page"),
         ("page = 4", "report_template.not_text"),
         ("language = 'de'", "report_template.no_language"),
-        ("convention = 'lidarsoft'", "lidarsoft: there is no convention of this name"),
+        ("convention = 'lidarsoft'", "There is no convention named lidarsoft"),
         ("company = Fleuve", "report_template.not_toml"),
         ("logo = 'none.png'", r"none\.png: this logo file does not exist"),
         ("logo = 'own.toml'", "report_template.logo_format"),
@@ -351,7 +351,7 @@ def test_the_command_takes_page_convention_and_template(
         main(words("r.html", "--page", "a5"))
     capsys.readouterr()
     assert main(words("none.json", "--convention", "lidarsoft")) == 1
-    assert "lidarsoft: there is no convention of this name" in capsys.readouterr().err
+    assert "There is no convention named lidarsoft" in capsys.readouterr().err
     assert not (tmp_path / "none.json").exists()
     assert main(words("r.json", "--convention", "applanix")) == 0
     data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))

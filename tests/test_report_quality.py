@@ -135,8 +135,13 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
     table = _tables(document_of(changed(components=found), {}))[
         "Variance components: estimated over given sigmas"
     ]
-    assert table.rows[0] == ("LiDAR", "0.82", "0.78 to 0.87", "applied: smaller than given")
-    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than given")
+    assert table.rows[0] == (
+        "LiDAR",
+        "0.82",
+        "0.78 to 0.87",
+        "applied: smaller than the given value",
+    )
+    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than the given value")
     assert table.rows[2][2:] == (
         "0.60 to 2.90",
         "not applied: the given value lies within the interval",
@@ -158,7 +163,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert "The estimated change of the latency (+1.10 ms) is not significant." in _caution(
         content, "report.parameter_not_significant"
     )
-    assert "(scan-angle offset): The given value is used. Turn" in _caution(
+    assert "not estimated. The given value is used. Do not" in _caution(
         content, "report.parameter_not_seen"
     )
     rows = _tables(document_of(content, {}))["Values estimated with the boresight"].rows
@@ -180,7 +185,7 @@ def test_released_sighting_is_named_on_page_one(project: Project, changed: Chang
     gone = replace(first, released=True, shift=0.0483, w=9.34)
     content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
     text = _caution(content, "adjustment.released")
-    assert "contradict it: T1 on line L1 (off by 48.3 mm, w +9.3)" in text
+    assert "was rejected: T1 on line L1 (displaced by 48.3 mm, test value w = +9.3)" in text
     assert "T1 on line L2" in _caution(content, "adjustment.sighting_disagrees")
     rows = _tables(document_of(content, {}))["Agreement of the sightings"].rows
     assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
@@ -204,8 +209,8 @@ def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) 
     assert not any(code.startswith("adjustment.strays") for code in codes)
     many = (*reliability[:-1], replace(reliability[-1], strays=60))
     text = _caution(changed(reliability=many), "adjustment.strays_full_weight")
-    assert text.startswith("Outliers: 60 of")
-    assert "most of them on T2, line L6" in text
+    assert text.startswith("60 of")
+    assert "Most of them are on T2, line L6" in text
     assert "Choose a robust loss" in text  # the sample has none
 
 
@@ -219,13 +224,13 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
     words = _words(document_of(sample_content(project), {}), "Cross-checks")
-    assert "Without target T1: All targets are planes that face the same way" in words
+    assert "Without target T1: All targets are planes of the same orientation" in words
     assert "The spread with one target left out needs at least three targets" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
     content = sample_content(replace(project, cross_checks=wide))
-    assert "without line L2 (pitch +0.0512 deg, 4.1 of its sigmas)" in _caution(
+    assert "without line L2 (pitch +0.0512 deg, 4.1 times its standard deviation)" in _caution(
         content, "adjustment.cross_check"
     )
 
@@ -400,17 +405,17 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     assert "report.sightings" not in {caution.code for caution in fine.cautions}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
     said = _caution(content(*some), "report.sightings")
-    assert said.startswith("Sightings used: 3, of which poor: 0, doubtful: 2. The worst is ")
-    assert f"{first.name} on {two}: The beams meet it at 75 deg" in said
+    assert said.startswith("3 sightings are used, including 0 poor and 2 doubtful ones.")
+    assert f"{first.name} on {two}: The angle between the beams and" in said
     worse = content(*some, (second.name, one, rough))
     said = _caution(worse, "report.sightings")
-    assert "Sightings used: 4, of which poor: 1, doubtful: 2." in said
+    assert "4 sightings are used, including 1 poor and 2 doubtful ones." in said
     assert (
-        f"{second.name} on {one}: It has only 7 points. It is curved: 4.0 mm over its extent. See"
-        in said
+        f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "
+        "mm over its extent. See" in said
     )
     french = document_of(worse, {}, ReportOptions(language="fr")).cautions
-    assert any("Observations utilisées\u00a0: 4" in t and "que 7 points" in t for t in french)
+    assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # One that is left out is none of the answer's.
     left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
     out = report_content(

@@ -171,13 +171,13 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
 @pytest.mark.parametrize(
     ("step", "said"),
     [
-        (lambda quay: quay.seed("T9", (500.0, 500.0, 500.0)), "No line has a plane"),
+        (lambda quay: quay.seed("T9", (500.0, 500.0, 500.0)), "No plane was found at the seed"),
         (lambda quay: quay.seed("T9"), "a position or a point"),
         (lambda quay: quay.seed("T9", (0, 0, 0), point=("L1_000", 1)), "a position or a point"),
         (lambda quay: quay.seed("T9", point=("L1_000", 10**9)), "pick.no_such_point"),
         (lambda quay: quay.seed("T9", point=("L1_000", -1)), "pick.no_such_point"),
         (lambda quay: quay.seed("T9", point=("L9", 1)), "project_line.not_found"),
-        (lambda quay: quay.reject("T1", "L9"), "no sighting in line L9"),
+        (lambda quay: quay.reject("T1", "L9"), "not observed on line L9"),
         (lambda quay: quay.change(lidar_sigma=-1.0), "LiDAR standard deviation"),
         (lambda quay: quay.rename("T1", ""), "edit.no_name"),
         (lambda quay: quay.estimate(), "estimate.one_line"),

@@ -65,9 +65,9 @@ def test_a_list_gives_what_single_picks_give(
     assert code == 1
     assert err.splitlines()[-1] == (
         f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
-        "the reason. The others are saved."
+        "the reason. The targets found at the other seeds are saved."
     )
-    assert "note: Columns as named: name, north, west and up." in err
+    assert "note: Columns identified by their names: name, north, west and up." in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}
     assert set(table) == {"T1", "T2", "V1", "Lost"}
     assert "6 of 6" in table["T1"]
@@ -114,13 +114,13 @@ def test_in_a_coordinate_system_as_json(
 
 def test_refused_whole(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     good = rows("T1")
-    assert "row 2: the number of columns is 2" in refused(capsys, folder, good + "T2;1\n")
+    assert "row 2: the row has 2 columns" in refused(capsys, folder, good + "T2;1\n")
     assert "row 2: the name T1 is already in row 1" in refused(capsys, folder, good + "T1;1;2;3\n")
     far = refused(capsys, folder, good + "T2;5041234;614000;8\n")
     assert "row 2: T2: " in far
     assert "5.04123e+06" in far or "5041234.0" in far
     assert "km from the trajectory" in far
-    assert "lack z" in refused(capsys, folder, good, "--columns", "name,x,y")
+    assert "columns are missing: z" in refused(capsys, folder, good, "--columns", "name,x,y")
     none = refused(capsys, folder, "A;300;300;300\nB;310;300;300\n")
     assert "at any of the 2 seeds. A (row 1): " in none
 
@@ -132,7 +132,7 @@ def test_a_name_that_is_taken_is_refused_or_replaced(
     path.write_text(rows("T1", "V1"))
     assert run(capsys, "pick", folder, "--seeds", path)[0] == 0
     again = rows("T2", "T1", offset=0.05)
-    assert "row 2: the project already has a T1" in refused(capsys, folder, again)
+    assert "row 2: the project already has a target named T1" in refused(capsys, folder, again)
     path.write_text(again)
     assert run(capsys, "pick", folder, "--seeds", path, "--replace")[0] == 0
     project = read_project(folder)

@@ -239,7 +239,7 @@ def test_what_cannot_be_replayed_is_refused(
     _, start = recorded(tmp_path, capsys)
     scene = tmp_path / "wall.toml"
     for text, said in (
-        (REPLAYED.format(scanner="profiler", start=10, stop=20), "Give start_s and stop_s within"),
+        (REPLAYED.format(scanner="profiler", start=10, stop=20), "Correct start_s and stop_s"),
         (
             REPLAYED.format(scanner="profiler", start=start, stop=start + 1).replace("46.8", "40"),
             "km from",

@@ -194,7 +194,7 @@ def test_what_cannot_be_written_leaves_no_folder_of_its_own(
     out = tmp_path / "new" / "out"
     if there:
         out.mkdir(parents=True)
-    with pytest.raises(InputError, match="50 points lies within the trajectory"):
+    with pytest.raises(InputError, match="50 points was recorded during the trajectory"):
         georeference_project(
             replace(project, lines=lines), out, "prior", system="local", ending="las"
         )

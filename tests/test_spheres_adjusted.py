@@ -216,4 +216,4 @@ def test_the_command_line_picks_balls(balls, capsys):
     assert main([*words, "--sphere-radius", "0.1"]) == 2
     assert "--shape sphere" in capsys.readouterr().err
     assert main([*words, "--shape", "sphere", "--role", "validation"]) == 1
-    assert "compared on planes only" in capsys.readouterr().err
+    assert "only planes are compared" in capsys.readouterr().err

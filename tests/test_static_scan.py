@@ -63,7 +63,7 @@ def test_text(tmp_path: Path, head: str, order: str, separator: str) -> None:
         ("1 2\n3 4\n", "row 1: three coordinates are needed"),
         ("1,5 2,5 3,5\n2,5 3,5 4,5\n", "decimal points"),
         ("1 2 3\n4 5\n", "cannot be read as static scan text"),
-        ("1 2 3\n4 5 inf\n", "point 2 has a coordinate that is not a usable number"),
+        ("1 2 3\n4 5 inf\n", "a coordinate of point 2 is not a usable number"),
     ],
 )
 def test_texts_that_are_refused(tmp_path: Path, text: str, said: str) -> None:

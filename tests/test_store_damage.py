@@ -176,7 +176,7 @@ def test_newer_store_is_not_touched(tmp_path: Path) -> None:
 
 def test_store_of_another_line_is_refused(tmp_path: Path) -> None:
     stored(tmp_path)
-    with pytest.raises(ProjectError, match="L1, not L2") as refused:
+    with pytest.raises(ProjectError, match="L1 instead of line L2") as refused:
         open_store(tmp_path, "L2")
     assert why(refused.value) == "store.other_line"
 

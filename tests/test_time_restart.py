@@ -202,11 +202,11 @@ def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_pa
     assert "40.0 s" in told
     assert "-6047" not in told
     main(["look", str(line)])
-    assert "earlier than the one before" not in capsys.readouterr().out
+    assert "earlier than the preceding" not in capsys.readouterr().out
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0
     told = "".join(capsys.readouterr())
-    assert "The times restart once (at midnight or at the end of the week)" in told
+    assert "The times restart from zero once (at midnight or at the end of the week)" in told
 
 
 def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Path) -> None:

@@ -94,7 +94,7 @@ def test_an_answer_older_than_a_refused_estimate_is_told_of(tmp_path: Path) -> N
     assert told["adjustment.refused_since"] == refused_since(reason)
     assert refused_since(reason).level is Level.WARNING
     assert refused_since(reason).subject == Cause("result")
-    assert f"was refused: {reason} The angles are those of" in message_text(refused_since(reason))
+    assert f"was not possible: {reason} The angles" in message_text(refused_since(reason))
 
 
 def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> None:

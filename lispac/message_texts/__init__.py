@@ -95,11 +95,11 @@ ACTIONS: Mapping[str, Template] = {
     "check_sign": N_("Check the sign"),
     "detect_columns": N_("Detect the columns again"),
     # -- files of a survey -------------------------------------------------------------------
-    "leave_out": N_("Leave the file out"),
+    "leave_out": N_("Exclude the file"),
     "keep_one_line": N_("Keep as one line"),
     "shift_times": N_("Add {shift:s.0+} s"),
     "clear_shift": N_("Clear the time shift"),
-    "bridge_gaps": N_("Bridge gaps up to {gap:s.1} s"),
+    "bridge_gaps": N_("Interpolate gaps up to {gap:s.1} s"),
 }
 """English label of each action code, as on a button."""
 

@@ -5,12 +5,13 @@ from collections.abc import Mapping
 from lispac.language import N_, Plural, Template
 
 _CONTRADICTED = N_(
-    "The data contradict the given {parameter}. They fit a value {change} (± {sigma}, w {w:x.1+}), "
-    "which would change {angles:names}. Measure it again, or estimate it."
+    "The data do not agree with the given {parameter}. The best-fitting value is {change} (± "
+    "{sigma}, test value w = {w:x.1+}), which would change {angles:names}. Measure the {parameter} "
+    "again, or estimate it."
 )
 _CONTRADICTED_ALONE = N_(
-    "The data contradict the given {parameter}. They fit a value {change} (± {sigma}, w {w:x.1+}). "
-    "Measure it again, or estimate it."
+    "The data do not agree with the given {parameter}. The best-fitting value is {change} (± "
+    "{sigma}, test value w = {w:x.1+}). Measure the {parameter} again, or estimate it."
 )
 _MOUNTING = ("lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset", "latency")
 
@@ -29,19 +30,19 @@ TEXTS: Mapping[str, Template] = {
         "the angles independently. Exclude one of each pair.",
     ),
     "targets.single_line_targets": N_(
-        "Excluded, because only one line shows them: {sightings:names}. Set seeds on other lines, "
-        "or remove these targets."
+        "Targets observed on one line only are excluded: {sightings:names}. Set seeds for them on "
+        "other lines, or remove these targets."
     ),
     "targets.proposal_unchecked": N_(
-        "The scene has no targets that check each other. Use the targetless method, which adjusts "
-        "many small surfaces, or put up boards."
+        "The proposed targets are too few or too close together to detect errors in the data. Use "
+        "the targetless method, which adjusts many small surfaces, or put up boards."
     ),
-    "data.same_on_lines": N_("{reason} The same applies to {lines:names}."),
+    "data.same_on_lines": N_("{reason} The same warning applies to {lines:names}."),
     # -- angles ------------------------------------------------------------------------------
     "adjustment.independent_pos_errors": N_(
-        "The POS errors are uncorrelated (classical), whereas neighbouring points have nearly the "
-        "same error. The standard deviations of the angles are several times too small. Use "
-        "correlated POS errors."
+        "The adjustment assumes uncorrelated POS errors (classical), but the errors of "
+        "neighbouring points are nearly equal. The standard deviations of the angles are several "
+        "times too small. Choose correlated POS errors."
     ),
     "adjustment.large_sigma": N_(
         "Standard deviations are large (1 sigma): {angles:names}. Add targets with other "
@@ -49,17 +50,17 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.large_sigma_unseen": N_(
         "Standard deviations are large (1 sigma): {angles:names}. They include the uncertainty of "
-        "values that these lines and targets do not determine: {parameters:names}. Give smaller "
-        "standard deviations for these values, or do not estimate them."
+        "given values that these lines and targets do not determine: {parameters:names}. Give "
+        "smaller standard deviations for these values, or do not estimate them."
     ),
     "adjustment.one_target": N_(
-        "{target} is the only target. The angles are separated by the line headings alone, and "
-        "nothing shows whether the target is bent or has moved. Add a target with another "
+        "{target} is the only target. The angles are separated only by the different headings of "
+        "the lines, and a bent or displaced target cannot be detected. Add a target with another "
         "orientation."
     ),
     "adjustment.one_facing": N_(
-        "All targets are nearly parallel, so the angles are separated by the line headings alone. "
-        "Add a target with another orientation."
+        "All targets are nearly parallel, so the angles are separated only by the different "
+        "headings of the lines. Add a target with another orientation."
     ),
     "adjustment.high_correlation": N_(
         "The correlation of {first} and {second} is {correlation:x.2+}, so they can hardly be "
@@ -70,58 +71,60 @@ TEXTS: Mapping[str, Template] = {
         "separated. Give the standard deviation of the prior {second}, or do not estimate it."
     ),
     "adjustment.steep_pitch": N_(
-        "The boresight pitch is steep, so roll and yaw can hardly be separated. The standard "
-        "deviations are those of small rotations about the body axes. Use the rotation matrix "
-        "instead of the three angles."
+        "The boresight pitch exceeds 60 deg, so roll and yaw can hardly be separated. The standard "
+        "deviations given are those of small rotations about the body axes. Use the rotation "
+        "matrix instead of the three angles."
     ),
     "adjustment.surface_held": N_(
-        "The surface sigma is fixed at 0, so no sighting is tested against the others. Estimate it "
-        "from the data to test them."
+        "The surface roughness is fixed at 0, so the sightings are not tested against each other. "
+        "Estimate the roughness from the data to test them."
     ),
     "adjustment.surfaces_differ": N_(
-        "Between lines, the targets deviate by {sigma:mm.1} mm (1 sigma) from their common shape, "
-        "more than the given standard deviations explain. The chi-square test allows for it. Check "
-        "for rough or bent targets and for errors outside the model; flat boards do not deviate so "
-        "much."
+        "The shapes of the targets differ between lines by {sigma:mm.1} mm (1 sigma), more than "
+        "the given standard deviations explain. The chi-square test takes this into account. Check "
+        "for rough or bent targets, and for errors that are not in the error model."
     ),
     "adjustment.surfaces_displaced": N_(
-        "Between lines, the targets are displaced by {offset:mm.1} mm and tilted by {tilt:mm.1} mm "
-        "(1 sigma), more than the given standard deviations explain. The chi-square test allows "
-        "for it. Check whether targets moved, and for errors outside the model."
+        "The targets are displaced by {offset:mm.1} mm and tilted by {tilt:mm.1} mm between lines "
+        "(1 sigma), more than the given standard deviations explain. The chi-square test takes "
+        "this into account. Check whether targets moved, and check for errors that are not in the "
+        "error model."
     ),
     "adjustment.shorter_times": N_(
         "With the given correlation times of the POS errors (position {position:s} s, attitude "
-        "{attitude:s} s) the residuals are too large for the chi-square test. With "
-        "{used_position:s} s and {used_attitude:s} s they pass it, and the standard deviations are "
-        "computed with these."
+        "{attitude:s} s) the residuals fail the chi-square test. The standard deviations are "
+        "computed with {used_position:s} s and {used_attitude:s} s, with which the residuals pass "
+        "the test."
     ),
     "adjustment.sigmas_raised": N_(
-        "Parts of the data scatter more than the error model predicts. Standard deviations are "
-        "increased: {angles:names}."
+        "Angles computed from subsets of the data scatter more than the error model predicts. The "
+        "standard deviations were increased: {angles:names}."
     ),
     "adjustment.cross_check": N_(
-        "Parts of the data disagree by more than chance explains: {parts:names}. Compare their "
-        "angles under Cross-checks."
+        "Angles computed from subsets of the data differ significantly: {parts:names}. Compare "
+        "these angles under Cross-checks."
     ),
     "adjustment.refused_since": N_(
-        "A later estimate was refused: {reason} The angles are those of the estimate before it."
+        "The last adjustment was not possible: {reason} The angles shown are those of the previous "
+        "adjustment."
     ),
     # -- what cannot be checked --------------------------------------------------------------
     "adjustment.line_unchecked": Plural(
-        "Without line {lines:names} the angles are not determined, so its errors cannot be "
-        "detected. Add lines.",
-        "If any one of the lines {lines:names} is omitted, the angles are not determined, so its "
-        "errors cannot be detected. Add lines.",
+        "Without line {lines:names} the angles are not determined, so errors of this line cannot "
+        "be detected. Add lines.",
+        "Without any one of the lines {lines:names} the angles are not determined, so errors of "
+        "these lines cannot be detected. Add lines.",
     ),
     "adjustment.target_unchecked": Plural(
-        "Without target {targets:names} the angles are not determined, so its errors cannot be "
-        "detected. Add targets.",
-        "If any one of the targets {targets:names} is omitted, the angles are not determined, so "
-        "its errors cannot be detected. Add targets.",
+        "Without target {targets:names} the angles are not determined, so errors of this target "
+        "cannot be detected. Add targets.",
+        "Without any one of the targets {targets:names} the angles are not determined, so errors "
+        "of these targets cannot be detected. Add targets.",
     ),
     "adjustment.targets_clustered": N_(
-        "All targets lie within {size:percent.0} % of their distance from the scanner, so errors "
-        "of a line cannot be detected. Add targets at other places."
+        "The targets are too close together: they extend over only {size:percent.0} % of their "
+        "distance from the scanner. Errors of a line cannot be detected. Add targets at other "
+        "places."
     ),
     "adjustment.carried_by_one": N_(
         "The angles depend on one sighting whose errors cannot be detected: {sightings:names}. Add "
@@ -129,91 +132,98 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- sightings, targets and points -------------------------------------------------------
     "adjustment.released": Plural(
-        "Rejected, because the other sightings contradict it: {sightings:names}. Check its points "
-        "and the trajectory there. Exclude it if its points are on another surface.",
-        "Rejected, because the other sightings contradict them: {sightings:names}. Check their "
-        "points and the trajectory there. Exclude those whose points are on another surface.",
+        "A sighting disagrees with the others and was rejected: {sightings:names}. Check its "
+        "points and the trajectory at that time. Exclude the sighting if its points are on "
+        "another surface.",
+        "Some sightings disagree with the others and were rejected: {sightings:names}. Check "
+        "their points and the trajectory at these times. Exclude the sightings whose points are "
+        "on another surface.",
     ),
     "adjustment.sighting_disagrees": Plural(
-        "The other sightings contradict it, but it is used: {sightings:names}. Check its points "
-        "and the trajectory there.",
-        "The other sightings contradict them, but they are used: {sightings:names}. Check their "
-        "points and the trajectory there.",
+        "A sighting disagrees with the others but is used: {sightings:names}. Check its points "
+        "and the trajectory at that time.",
+        "Some sightings disagree with the others but are used: {sightings:names}. Check their "
+        "points and the trajectory at these times.",
     ),
     "adjustment.target_excluded": N_(
-        "Excluded, because none of their points agrees with the other targets and lines: "
-        "{targets:names}. Pick these targets again, or remove them."
+        "Targets were excluded because none of their points agrees with the other targets and "
+        "lines: {targets:names}. Pick these targets again, or remove them."
     ),
     "adjustment.target_cut": N_(
-        "Lines show different parts of a surface that is not shown to be flat, so only the common "
-        "part is used: {targets:names}. Pick smaller targets."
+        "The lines cover different areas of these targets, which may not be flat: {targets:names}. "
+        "Only the area that the lines have in common is used. Pick smaller targets."
     ),
     "adjustment.target_parts": N_(
-        "Excluded, because lines show different parts of the surface and it is not shown to be "
-        "flat: {targets:names}. Pick a part that two lines show."
+        "Targets were excluded because the lines cover different areas of them, and they may not "
+        "be flat: {targets:names}. Pick an area that two lines cover."
     ),
     "adjustment.strays_full_weight": N_(
-        "Outliers: {count:n} of {points:n} points, where chance explains about {expected:n}; most "
-        "of them on {target}, line {line} ({here:n} of {sighting_points:n}). They have full "
-        "weight. Choose a robust loss."
+        "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
+        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}). They have "
+        "full weight. Choose a robust loss function."
     ),
     "adjustment.strays_reduced_weight": N_(
-        "Outliers: {count:n} of {points:n} points, where chance explains about {expected:n}; most "
-        "of them on {target}, line {line} ({here:n} of {sighting_points:n}). They have less "
-        "weight than other points."
+        "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
+        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}). They have "
+        "less weight than other points."
     ),
     "adjustment.strays_no_weight": N_(
-        "Outliers: {count:n} of {points:n} points, where chance explains about {expected:n}; most "
-        "of them on {target}, line {line} ({here:n} of {sighting_points:n}). They have little or "
-        "no weight."
+        "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
+        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}). They have "
+        "little or no weight."
     ),
     "adjustment.another_surface": Plural(
-        "The points of {targets:names} deviate from their surface by {factor:x.1} times the LiDAR "
-        "noise and have little weight. Check whether all lines show the same surface.",
-        "The points of {targets:names} deviate from their surfaces by up to {factor:x.1} times the "
-        "LiDAR noise and have little weight. Check whether all lines show the same surfaces.",
+        "The points of target {targets:names} deviate from its surface by {factor:x.1} times the "
+        "LiDAR noise and have little weight. Check whether the target is the same surface on all "
+        "lines.",
+        "The points of targets {targets:names} deviate from their surfaces by up to {factor:x.1} "
+        "times the LiDAR noise and have little weight. Check whether each target is the same "
+        "surface on all lines.",
     ),
     "adjustment.noise": Plural(
-        "Residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface, as with {factor:x.1} times the given noise. The surface is rough or curved, or "
-        "the given LiDAR sigma is too small. The standard deviations of the angles are computed "
-        "with the noise found.",
-        "Residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface, as with up to {factor:x.1} times the given noise. The surfaces are rough or "
+        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
+        "surface. They correspond to {factor:x.1} times the given noise. The surface is rough or "
         "curved, or the given LiDAR sigma is too small. The standard deviations of the angles are "
-        "computed with the noise found.",
+        "computed with the larger noise.",
+        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
+        "surface. They correspond to up to {factor:x.1} times the given noise. The surfaces are "
+        "rough or curved, or the given LiDAR sigma is too small. The standard deviations of the "
+        "angles are computed with the larger noise.",
     ),
     "adjustment.not_flat": Plural(
-        "Residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface, as with {factor:x.1} times the given noise. The target is probably not flat, and "
-        "these lines are too few to detect the effect: the angles may be off by more than their "
-        "standard deviations. Add lines, or use flat targets.",
-        "Residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface, as with up to {factor:x.1} times the given noise. The targets are probably not "
-        "flat, and these lines are too few to detect the effect: the angles may be off by more "
-        "than their standard deviations. Add lines, or use flat targets.",
+        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
+        "surface. They correspond to {factor:x.1} times the given noise. The target is probably "
+        "not flat, and with so few lines its effect cannot be detected: the errors of the angles "
+        "may exceed their standard deviations. Add lines, or use flat targets.",
+        "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
+        "surface. They correspond to up to {factor:x.1} times the given noise. The targets are "
+        "probably not flat, and with so few lines their effect cannot be detected: the errors of "
+        "the angles may exceed their standard deviations. Add lines, or use flat targets.",
     ),
     "adjustment.radii_differ": N_(
-        "The radius of {target} differs between lines, from {smallest:mm.1} to {largest:mm.1} mm, "
-        "and no single error explains it. Check the signs of the attitude, the latency and the "
-        "points of the target."
+        "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
+        "{largest:mm.1} mm, and no single error explains it. Check the signs of the attitude, the "
+        "latency and the points of the target."
     ),
     "adjustment.radii_roll_sign": N_(
-        "The radius of {target} differs between lines, from {smallest:mm.1} to {largest:mm.1} mm. "
-        "The radii agree with the opposite sign of roll. Check the sign convention of the file."
+        "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
+        "{largest:mm.1} mm. With the opposite sign of roll the radii agree. Check the sign "
+        "convention of the file."
     ),
     "adjustment.radii_pitch_sign": N_(
-        "The radius of {target} differs between lines, from {smallest:mm.1} to {largest:mm.1} mm. "
-        "The radii agree with the opposite sign of pitch. Check the sign convention of the file."
+        "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
+        "{largest:mm.1} mm. With the opposite sign of pitch the radii agree. Check the sign "
+        "convention of the file."
     ),
     "adjustment.radii_roll_pitch_signs": N_(
-        "The radius of {target} differs between lines, from {smallest:mm.1} to {largest:mm.1} mm. "
-        "The radii agree with the opposite signs of roll and pitch. Check the sign convention of "
-        "the file."
+        "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
+        "{largest:mm.1} mm. With the opposite signs of roll and pitch the radii agree. Check the "
+        "sign convention of the file."
     ),
     "adjustment.radii_parameter": N_(
-        "The radius of {target} differs between lines, from {smallest:mm.1} to {largest:mm.1} mm. "
-        "The radii agree with another value of the mounting: {cause}. Measure it again."
+        "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
+        "{largest:mm.1} mm. With one changed mounting parameter the radii agree ({cause}). Measure "
+        "this parameter again."
     ),
     # -- errors behind the residuals ---------------------------------------------------------
     **{f"adjustment.contradicted_{name}": _CONTRADICTED for name in _MOUNTING},
@@ -221,50 +231,50 @@ TEXTS: Mapping[str, Template] = {
     "change.larger": N_("larger by {amount}"),
     "change.smaller": N_("smaller by {amount}"),
     "adjustment.cause_not_located": N_(
-        "The residuals contradict the model, and the lines are too few to identify the cause. "
-        "Possible causes: {causes:names}. Add lines."
+        "The residuals do not agree with the error model, and the lines are too few to identify "
+        "the cause. Possible causes: {causes:names}. Add lines."
     ),
     "adjustment.several_causes": N_(
-        "The residuals contradict the model. These causes explain them about equally well, the "
-        "first one best: {causes:names}. Check each of them."
+        "The residuals do not agree with the error model. Several causes explain them almost "
+        "equally well, the most likely first: {causes:names}. Check each of them."
     ),
     "adjustment.known_cause": N_(
-        "The residuals contradict the model. The cause is known from the data: {cause} (see the "
-        "warning about it). Correct the data first."
+        "The residuals do not agree with the error model. The imported data explain this: {cause} "
+        "(see the warning about it). Correct the data first."
     ),
     "adjustment.known_cause_or_others": N_(
-        "The residuals contradict the model. The cause is known from the data: {cause} (see the "
-        "warning about it); without it these would explain them: {causes:names}. Correct the data "
-        "first."
+        "The residuals do not agree with the error model. The imported data explain this: {cause} "
+        "(see the warning about it). Other possible causes: {causes:names}. Correct the data first."
     ),
     "adjustment.line_boresight": N_(
-        "Line {line} fits another boresight than the other lines ({differences:names}). It may be "
-        "of a second scanner, or the mounting moved. Calibrate it separately, or exclude it."
+        "The boresight angles of line {line} differ from those of the other lines "
+        "({differences:names}). The line may come from a second scanner, or the mounting moved. "
+        "Calibrate the line separately, or exclude it."
     ),
     "adjustment.line_position": N_(
-        "The position on line {line} is off by {shift:mm.1} mm. Check the trajectory there, or "
-        "exclude the line."
+        "The positions on line {line} are in error by {shift:mm.1} mm. Check the trajectory during "
+        "this line, or exclude the line."
     ),
     "adjustment.line_jumped": Plural(
-        "All targets are off on line {lines:names}. The position may have jumped there, targets "
-        "may be confused, or a given value of the mounting may be wrong.",
-        "All targets are off on the lines {lines:names}. The position may have jumped there, "
-        "targets may be confused, or a given value of the mounting may be wrong.",
+        "All targets are displaced on line {lines:names}. Possible causes: a jump in the "
+        "position, confused targets, or a wrong mounting parameter. Check these first.",
+        "All targets are displaced on lines {lines:names}. Possible causes: a jump in the "
+        "position, confused targets, or a wrong mounting parameter. Check these first.",
     ),
     "adjustment.line_times_early": N_(
         "The point times of line {line} are {offset:ms.2} ms early. Check the time base and the "
-        "time shift of the line, or exclude it."
+        "time shift of the line, or exclude the line."
     ),
     "adjustment.line_times_late": N_(
         "The point times of line {line} are {offset:ms.2} ms late. Check the time base and the "
-        "time shift of the line, or exclude it."
+        "time shift of the line, or exclude the line."
     ),
     "adjustment.target_not_flat": N_(
-        "The residuals contradict the model. Most likely target {target} is not one flat surface "
-        "for all lines. Exclude it, or pick a smaller part of it."
+        "The residuals do not agree with the error model. Most likely cause: target {target} is "
+        "not the same flat surface on all lines. Exclude the target, or pick a smaller area of it."
     ),
     "adjustment.sighting_cause": N_(
-        "The residuals contradict the model. The most likely cause: {cause}. Check the points and "
-        "the trajectory there."
+        "The residuals do not agree with the error model. Most likely cause: {cause}. Check the "
+        "points and the trajectory at that time."
     ),
 }

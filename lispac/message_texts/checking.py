@@ -7,131 +7,148 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- cloud distances ---------------------------------------------------------------------------
     "validation.max_distance": N_(
-        "The maximum distance must be above zero, and it is {distance:m} m. Correct it."
+        "The maximum distance is {distance:m} m, but it must be above zero. Correct it."
     ),
     "validation.empty_reference": N_(
-        "The reference cloud has no points, so there is no distance to it."
+        "The reference cloud has no points, so no distances can be computed. Choose another "
+        "reference."
     ),
     "validation.compared_shape": N_(
-        "The compared cloud must be an array of shape (n, 3), and its shape is {shape}."
+        "The array of the compared cloud has the shape {shape}, but (n, 3) is required. Correct it."
     ),
     "validation.reference_shape": N_(
-        "The reference cloud must be an array of shape (n, 3), and its shape is {shape}."
+        "The array of the reference cloud has the shape {shape}, but (n, 3) is required. Correct "
+        "it."
     ),
     "validation.compared_not_finite": N_(
-        "{count:n} of {total:n} points of the compared cloud have coordinates that are not finite. "
-        "Remove them."
+        "{count:n} of {total:n} points of the compared cloud have coordinates that are NaN or "
+        "infinite. Remove them."
     ),
     "validation.reference_not_finite": N_(
-        "{count:n} of {total:n} points of the reference cloud have coordinates that are not "
-        "finite. Remove them."
+        "{count:n} of {total:n} points of the reference cloud have coordinates that are NaN or "
+        "infinite. Remove them."
     ),
-    "validation.unknown_model": N_("{kind}: unknown local model. Choose {kinds:choices}."),
+    "validation.unknown_model": N_(
+        "There is no local surface model {kind}. Choose {kinds:choices}."
+    ),
     "validation.model_radius": N_(
-        "The radius of the local model ({kind}) must be above zero, and it is {radius:m} m. "
-        "Correct it."
+        "The radius of the local surface model ({kind}) is {radius:m} m, but it must be above "
+        "zero. Correct it."
     ),
     "validation.model_neighbours": N_(
-        "The local model ({kind}) needs at least {needed:n} neighbours, and {count:n} are given. "
-        "Increase their number."
+        "The local surface model ({kind}) needs at least {needed:n} neighbouring points, but "
+        "{count:n} are given. Increase the number."
     ),
     "validation.normal_scale": N_(
-        "The scale of the normals must be above zero, and it is {value:m} m. Correct it."
+        "The diameter of the neighbourhood used to compute the normals is {value:m} m, but it must "
+        "be above zero. Correct it."
     ),
     "validation.cylinder_diameter": N_(
-        "The diameter of the cylinder must be above zero, and it is {value:m} m. Correct it."
+        "The diameter of the search cylinder is {value:m} m, but it must be above zero. Correct it."
     ),
     "validation.cylinder_depth": N_(
-        "The depth of the cylinder must be above zero, and it is {value:m} m. Correct it."
+        "The depth of the search cylinder is {value:m} m, but it must be above zero. Correct it."
     ),
-    "validation.no_places": N_("There is no place to measure a distance at."),
+    "validation.no_places": N_("There are no core points, so no distances can be computed."),
     "validation.cylinder_too_narrow": N_(
-        "No place has {needed:n} points of both clouds within a cylinder of {diameter:m.2} m. "
+        "No core point has {needed:n} points of both clouds within a cylinder of {diameter:m.2} m. "
         "Choose a larger diameter."
     ),
-    "validation.no_distances": N_("Statistics need at least one distance, and only finite ones."),
+    "validation.no_distances": N_(
+        "Statistics need at least one distance, and all distances must be finite."
+    ),
     # -- lines and references ----------------------------------------------------------------------
     "validation.no_place_in_common": N_(
-        "{line} and {other} have no place in common within {reach:m} m."
+        "Lines {line} and {other} do not overlap within {reach:m} m, so they cannot be compared."
     ),
-    "validation.no_flat_place": N_("{line} and {other} share no flat place."),
+    "validation.no_flat_place": N_(
+        "Lines {line} and {other} have no flat area in common, so they cannot be compared."
+    ),
     "validation.plane_few_points": N_(
-        "A plane with its confidence interval needs at least four points of each line."
+        "A plane with a confidence interval needs at least four points of each line."
     ),
     "validation.points_in_row": N_(
-        "The points of a line lie in one row and do not determine a plane."
+        "The points of a line lie on one straight line and do not determine a plane."
     ),
-    "validation.line_out_of_reach": N_("The line has no surface within reach of the reference."),
-    "validation.no_flat_point": N_(
-        "No surveyed point has a flat place of the line in front of it."
+    "validation.line_out_of_reach": N_(
+        "No surface of the line lies within the search distance of the reference."
     ),
+    "validation.no_flat_point": N_("No surveyed point lies opposite a flat area of the line."),
     "validation.no_place_in_both": N_(
-        "No place of the reference is seen both before and after the calibration."
+        "No location of the reference is covered by the line both before and after the calibration."
     ),
     # -- validation planes -------------------------------------------------------------------------
     "validation.plane_in_one_line": N_(
-        "The validation plane {plane} is seen in one line only ({line}) with at least {needed:n} "
-        "points. A comparison needs two lines. Pick it in another line, or choose another plane."
+        "Only line {line} has at least {needed:n} points on the validation plane {plane}, but a "
+        "comparison needs two lines. Pick the plane on another line, or choose another plane."
     ),
     "validation.plane_in_no_line": N_(
-        "The validation plane {plane} is seen in no line with at least {needed:n} points. A "
-        "comparison needs two lines. Pick it in other lines, or choose another plane."
+        "No line has at least {needed:n} points on the validation plane {plane}, and a comparison "
+        "needs two lines. Pick the plane on other lines, or choose another plane."
     ),
     "validation.no_overlap": N_(
-        "No two lines overlap on the validation plane {plane} in at least {needed:n} points, "
-        "before and after. Choose a larger plane, or pick it again."
+        "No two lines have at least {needed:n} points in a common area of the validation plane "
+        "{plane}, before and after the calibration. Choose a larger plane, or pick this plane "
+        "again."
     ),
     "validation.other_lines": N_(
-        "The validation plane {plane} is not in the same lines before and after the calibration. "
-        "Lines with one state only: {lines:names}."
+        "The validation plane {plane} has points on different lines before and after the "
+        "calibration. Lines with points in one of the two states only: {lines:names}."
     ),
     "validation.shape_before": N_(
-        "The points of {plane} in line {line} (before) must have the shape (n, 3), and theirs is "
-        "{shape}."
+        "The array of the points of {plane} on line {line} (before the calibration) has the shape "
+        "{shape}, but (n, 3) is required."
     ),
     "validation.shape_after": N_(
-        "The points of {plane} in line {line} (after) must have the shape (n, 3), and theirs is "
-        "{shape}."
+        "The array of the points of {plane} on line {line} (after the calibration) has the shape "
+        "{shape}, but (n, 3) is required."
     ),
     "validation.not_finite_before": N_(
-        "The points of {plane} in line {line} (before) have coordinates that are not finite."
+        "Points of {plane} on line {line} (before the calibration) have coordinates that are NaN "
+        "or infinite."
     ),
     "validation.not_finite_after": N_(
-        "The points of {plane} in line {line} (after) have coordinates that are not finite."
+        "Points of {plane} on line {line} (after the calibration) have coordinates that are NaN or "
+        "infinite."
     ),
     "validation.other_points": N_(
-        "Line {line} has {before:n} points on {plane} before and {after:n} after. Both states must "
-        "have the same points."
+        "Line {line} has {before:n} points on {plane} before the calibration and {after:n} after "
+        "it. Both states must have the same points."
     ),
-    "validation.no_heading": N_("The heading of line {line}, which sees {plane}, is not given."),
+    "validation.no_heading": N_(
+        "The heading of line {line}, which has points on {plane}, is not given."
+    ),
     # -- repeatability -----------------------------------------------------------------------------
-    "validation.repeatability_values": N_("{name}: three angles and their covariance are needed."),
+    "validation.repeatability_values": N_(
+        "{name}: a calibration must have three angles and their covariance matrix to be compared."
+    ),
     "validation.repeatability_covariance": N_(
-        "{name}: the covariance is not positive definite. A calibration without uncertainty cannot "
-        "be compared."
+        "{name}: the covariance matrix of the angles is not valid (not positive definite), so this "
+        "calibration cannot be compared."
     ),
     "validation.repeatability_few": N_(
-        "Repeatability needs at least two calibrations of the same mounting."
+        "Repeatability is computed from at least two calibrations of the same mounting. Add a "
+        "calibration."
     ),
     # -- patch test --------------------------------------------------------------------------------
     "patch_test.no_pairs": N_(
-        "No two of the selected lines meet at any object. Select objects that both lines of a pair "
-        "see."
+        "No object is covered by two of the selected lines. Select objects that both lines of a "
+        "pair cover."
     ),
     "patch_test.no_roll": N_(
-        "The selected objects and pairs do not determine roll. Add objects that face other ways, "
-        "or lines in other directions."
+        "The selected objects and line pairs do not determine roll. Add objects with other "
+        "orientations, or lines in other directions."
     ),
     "patch_test.no_pitch": N_(
-        "The selected objects and pairs do not determine pitch. Add objects that face other ways, "
-        "or lines in other directions."
+        "The selected objects and line pairs do not determine pitch. Add objects with other "
+        "orientations, or lines in other directions."
     ),
     "patch_test.no_yaw": N_(
-        "The selected objects and pairs do not determine yaw. Add objects that face other ways, or "
-        "lines in other directions."
+        "The selected objects and line pairs do not determine yaw. Add objects with other "
+        "orientations, or lines in other directions."
     ),
     "patch_test.box_not_finite": N_(
-        "{name}: the centre or rotation of the box is not a finite number. Correct it."
+        "{name}: the centre or rotation of the box contains NaN or infinity. Correct it."
     ),
     "patch_test.box_size": N_(
         "{name}: each side of the box must be from {least:m} to {most:m} m. Correct it."
@@ -141,38 +158,44 @@ TEXTS: Mapping[str, Template] = {
         "The result is based on {count:n} objects and {lines:n} lines.",
     ),
     "patch_test.mismatch_reduced": N_(
-        "The mismatch (robust RMS distance between lines, at most {limit:mm.0} mm) decreases from "
-        "{before:mm.1} mm with the prior boresight to {after:mm.1} mm."
+        "The calibration reduces the mismatch between lines from {before:mm.1} mm (prior "
+        "boresight) to {after:mm.1} mm. The mismatch is a robust RMS distance, on which distances "
+        "above {limit:mm.0} mm have little influence."
     ),
     "patch_test.mismatch": N_(
-        "The mismatch (robust RMS distance between lines, at most {limit:mm.0} mm) is "
-        "{after:mm.1} mm. With the prior boresight the lines do not meet at the objects."
+        "The mismatch between lines after the calibration is {after:mm.1} mm. It is a robust RMS "
+        "distance, on which distances above {limit:mm.0} mm have little influence. With the prior "
+        "boresight the lines do not overlap at the objects."
     ),
     "patch_test.no_sigma": Plural(
-        "There are no standard deviations: {count:n} object is too few to know how much the result "
-        "would change with others. At least {needed:n} are needed.",
-        "There are no standard deviations: {count:n} objects are too few to know how much the "
-        "result would change with others. At least {needed:n} are needed.",
+        "No standard deviations are computed, because the result is based on only {count:n} "
+        "object. At least {needed:n} objects are needed.",
+        "No standard deviations are computed, because the result is based on only {count:n} "
+        "objects. At least {needed:n} objects are needed.",
     ),
-    "patch_test.not_converged": N_("The angles were still changing when the search ended."),
+    "patch_test.not_converged": N_(
+        "The patch test did not converge: the angles were still changing at the last iteration."
+    ),
     "patch_test.order_matters": N_(
-        "Found one after another, the angles end elsewhere: {angle} differs by {difference:deg.3} "
-        "deg."
+        "Determined one after another instead of together, the angles differ: {angle} changes by "
+        "{difference:deg.3} deg."
     ),
     "patch_test.object_disagrees": N_(
-        "{object} disagrees: its own minimum of {angle} is off by {difference:deg.3+} deg, and "
-        "{usual:deg.3} deg would be usual."
+        "Object {object} disagrees with the other objects: alone, it gives a {angle} that differs "
+        "by {difference:deg.3+} deg (up to {usual:deg.3} deg is usual)."
     ),
-    "patch_test.not_met": N_("No two of the lines meet at {objects:names}."),
+    "patch_test.not_met": N_("No two of the lines overlap at these objects: {objects:names}."),
     # -- targetless --------------------------------------------------------------------------------
     "targetless.basis": N_(
-        "The result is based on {used:n} of {total:n} natural surfaces that lines share. Rounds of "
-        "matching: {rounds:n}."
+        "The result is based on {used:n} of {total:n} natural surfaces that several lines cover. "
+        "Matching iterations: {rounds:n}."
     ),
-    "targetless.with_targets": N_("Targets adjusted with them: {targets:n}."),
+    "targetless.with_targets": N_(
+        "Targets adjusted together with the natural surfaces: {targets:n}."
+    ),
     "targetless.not_converged": N_(
-        "In the last round of matching, the angles still changed by more than {share:percent.0} % "
-        "of their standard deviations."
+        "The matching did not converge: in the last iteration the angles still changed by more "
+        "than {share:percent.0} % of their standard deviations."
     ),
     "targetless.lines_disagree": N_("Lines that disagree with the others: {lines:names}."),
     # -- methods -----------------------------------------------------------------------------------
@@ -193,57 +216,69 @@ TEXTS: Mapping[str, Template] = {
         "point at {distance:m.0} m moves by {displacement:mm.0} mm."
     ),
     "methods.same_lines": N_(
-        "All methods use the same lines, so no comparison shows an error of the trajectory that "
-        "affects them alike. The standard deviations of the differences are rather too large: a "
-        "difference indicates an error, but agreement is no proof."
+        "All methods use the same lines, so their comparison does not reveal trajectory errors "
+        "that affect all of them equally. Agreement is no proof of accuracy. The standard "
+        "deviations of the differences tend to be too large, so a significant difference does "
+        "indicate an error."
     ),
     # -- reference ---------------------------------------------------------------------------------
     "absolute.after_nearer": N_(
-        "After the calibration all lines together lie {mean:mm.1} mm nearer to the vessel than the "
-        "reference on average, ± {interval:mm.1} mm (95 %). {finding}"
+        "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
+        "%) nearer to the vessel than the reference. {finding}"
     ),
     "absolute.after_farther": N_(
-        "After the calibration all lines together lie {mean:mm.1} mm farther from the vessel than "
-        "the reference on average, ± {interval:mm.1} mm (95 %). {finding}"
+        "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
+        "%) farther from the vessel than the reference. {finding}"
     ),
     "absolute.before_nearer": N_(
-        "Before the calibration they lay {mean:mm.1} mm nearer to the vessel, ± {interval:mm.1} mm "
-        "(95 %) without the uncertainty of the prior boresight, which is unknown. {finding}"
+        "Before the calibration the lines were on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
+        "%) nearer to the vessel than the reference. The interval does not include the unknown "
+        "uncertainty of the prior boresight. {finding}"
     ),
     "absolute.before_farther": N_(
-        "Before the calibration they lay {mean:mm.1} mm farther from the vessel, ± "
-        "{interval:mm.1} mm (95 %) without the uncertainty of the prior boresight, which is "
-        "unknown. {finding}"
+        "Before the calibration the lines were on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
+        "%) farther from the vessel than the reference. The interval does not include the unknown "
+        "uncertainty of the prior boresight. {finding}"
     ),
-    "absolute.explained": N_("This is no more than reference, POS and boresight explain."),
-    "absolute.not_explained": N_("This is more than reference, POS and boresight explain."),
-    "absolute.explained_before": N_("This is no more than reference and POS explain."),
-    "absolute.not_explained_before": N_("This is more than reference and POS explain."),
+    "absolute.explained": N_(
+        "The uncertainties of reference, POS and boresight explain this difference."
+    ),
+    "absolute.not_explained": N_(
+        "The uncertainties of reference, POS and boresight do not explain this difference."
+    ),
+    "absolute.explained_before": N_(
+        "The uncertainties of reference and POS explain this difference."
+    ),
+    "absolute.not_explained_before": N_(
+        "The uncertainties of reference and POS do not explain this difference."
+    ),
     "absolute.no_line_off": N_(
-        "After the calibration no single line is off by more than its errors explain."
+        "After the calibration no single line deviates from the reference by more than its "
+        "uncertainty explains."
     ),
     "absolute.rms": N_(
-        "The RMS of all distances is {before:mm.1} mm before and {after:mm.1} mm after. The "
-        "uncertainty of the reference ({reference:mm.1} mm) explains {share:percent.0} % of the "
-        "latter; {expected:mm.1} mm are expected from reference, POS and boresight together."
+        "The RMS of all distances to the reference is {before:mm.1} mm before and {after:mm.1} mm "
+        "after the calibration. The uncertainty of the reference ({reference:mm.1} mm) explains "
+        "{share:percent.0} % of the RMS after it; {expected:mm.1} mm are expected from reference, "
+        "POS and boresight together."
     ),
     "absolute.other_surface": N_(
-        "Another surface lies behind or in front of the one measured, within {distance:m} m of the "
-        "reference: {lines:names}. The one nearest to the reference is used, which is the wrong "
-        "one for a line that is off by more than half that distance."
+        "A second surface lies within {distance:m} m of the reference: {lines:names}. The surface "
+        "nearest to the reference is used. This is the wrong one for a line that is displaced by "
+        "more than half the distance between the two surfaces."
     ),
     "absolute.former_version": N_(
-        "This check was made by an earlier version, which used the mean of all surfaces within the "
-        "search distance. It is wrong where a wall stands behind the reference. Repeat it."
+        "This check was made by an earlier version, which averaged all surfaces within the search "
+        "distance. The result is wrong where a wall stands behind the reference. Repeat the check."
     ),
     "absolute.scan_error": N_(
-        "The standard deviation of the reference counts as one error that all points of the scan "
-        "share, such as that of its registration. The noise of its single points averages out."
+        "The standard deviation of the reference is treated as one error common to all points of "
+        "the scan, such as a registration error. The noise of individual points averages out."
     ),
-    "absolute.point_errors": N_("Each surveyed point counts with an error of its own."),
+    "absolute.point_errors": N_("The errors of the surveyed points are treated as independent."),
     "absolute.lines_alike": N_(
-        "In the values of all lines together, means and RMS count each line alike, because its "
-        "places share its POS error. Medians and percentiles are those of all places."
+        "In the mean and RMS over all lines each line has the same weight, because all points of a "
+        "line share its POS error. Medians and percentiles are computed from all distances."
     ),
     # -- surface of a line -------------------------------------------------------------------------
     "surface.nearest_point": N_("nearest point"),

@@ -12,14 +12,14 @@ TEXTS: Mapping[str, Template] = {
     ),
     "cli.no_folder": N_("{folder}: the folder does not exist. Check the path."),
     "cli.files_not_found": Plural(
-        "{folder}: {count:n} missing file is not in this folder: {names:names}. Give its folder as "
-        "well.",
-        "{folder}: {count:n} missing files are not in this folder: {names:names}. Give their "
-        "folders as well.",
+        "{folder}: this folder does not contain {count:n} of the missing files: {names:names}. "
+        "Give the folder of this file as well.",
+        "{folder}: this folder does not contain {count:n} of the missing files: {names:names}. "
+        "Give the folders of these files as well.",
     ),
     "cli.no_dates": N_(
-        "{project}: the survey dates are not known, because the times of the lines are seconds of "
-        "a day or of a week. Type the dates."
+        "{project}: the survey dates are unknown, because the times of the lines are seconds of "
+        "the day or of the week. Enter the dates."
     ),
     "cli.has_targets": Plural(
         "{project}: the project already has {count:n} target, so the proposed targets cannot be "
@@ -33,15 +33,16 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- scripts -------------------------------------------------------------------------------
     "script.place_or_point": N_(
-        "{name}: a target needs either a position or a point of a line. Give one of the two."
+        "{name}: give either a position or a point of a line as the seed of a target, not both or "
+        "none."
     ),
     "script.unknown_export": N_("“{what}” cannot be exported. Choose {known:choices}."),
     "script.unknown_export_format": N_(
         "{what} cannot be exported as {form}. Choose {forms:choices}."
     ),
     "script.no_sighting": N_(
-        "{target} has no sighting in line {line}, so there is nothing to exclude or restore. Check "
-        "the names."
+        "{target} is not observed on line {line}, so there is no sighting to exclude or restore. "
+        "Check the names."
     ),
     # -- report --------------------------------------------------------------------------------
     "report.picture_format": N_(
@@ -53,7 +54,9 @@ TEXTS: Mapping[str, Template] = {
     "report.picture_invalid": N_(
         "{file}: the picture is damaged or not supported ({reason}). Save it again as PNG or SVG."
     ),
-    "report.not_typeset": N_("The PDF report could not be made ({reason})."),
+    "report.not_typeset": N_(
+        "The PDF report cannot be created ({reason}). Save the report in another format."
+    ),
     # -- window --------------------------------------------------------------------------------
     "window.adjustment_cancelled": N_(
         "The adjustment was cancelled. Press Estimate to run it again."
@@ -67,16 +70,20 @@ TEXTS: Mapping[str, Template] = {
         "No recovery copy of unsaved changes is written, because the project is open in another "
         "window. Save the project to keep your changes."
     ),
-    "window.not_saved": N_("{reason} Use File > Save as… to save to another folder."),
+    "window.not_saved": N_(
+        "The project was not saved. {reason} Use File > Save as… to save to another folder."
+    ),
     "window.picture_not_written": N_(
         "{file}: the picture cannot be written. Choose another folder."
     ),
-    "window.disk_full": N_("{file}: the picture cannot be written. Free some disk space."),
-    "window.no_numbers": N_("{field}: the field is empty. Give at least one number in {unit}."),
+    "window.disk_full": N_(
+        "{file}: the picture cannot be written because the disk is full. Free some disk space."
+    ),
+    "window.no_numbers": N_("{field}: the field is empty. Enter at least one number in {unit}."),
     "window.not_a_number": N_("{field}: “{text}” is not a number. Correct it."),
-    "window.not_a_number_in": N_("{field}: “{text}” is not a number. Give a number in {unit}."),
+    "window.not_a_number_in": N_("{field}: “{text}” is not a number. Enter a number in {unit}."),
     "window.out_of_range": N_(
-        "{field}: {text} {unit} is out of range. Give {low} to {high} {unit}."
+        "{field}: {text} {unit} is out of range. Enter a value from {low} to {high} {unit}."
     ),
     "window.name_length": N_(
         "{field}: a name must have 1 to {longest:n} characters. Change the name."
@@ -88,16 +95,18 @@ TEXTS: Mapping[str, Template] = {
         "The standard deviations of the LiDAR in range and angle are incomplete. Fill in both "
         "fields."
     ),
-    "window.not_a_decimal_year": N_("“{text}” is not a decimal year. Give the date as in 2024.5."),
+    "window.not_a_decimal_year": N_(
+        "“{text}” is not a decimal year. Enter the date as in this example: 2024.5."
+    ),
     "window.no_coordinate_system": N_(
-        "No coordinate system is chosen. Choose one, or type its EPSG code."
+        "No coordinate system is chosen. Choose one, or enter its EPSG code."
     ),
     "window.name_taken": N_("The name {name} is already used. Give the target another name."),
     "window.plan_incomplete": N_(
-        "The plan needs at least one target and one line. Add them first."
+        "The survey plan needs at least one target and one line. Add them first."
     ),
     "window.no_project_to_compare": N_(
-        "No project is open, so there is no survey to compare with the plan. Open the project of "
-        "that survey in the main window."
+        "No project is open to compare with the survey plan. Open the project of the survey in the "
+        "main window."
     ),
 }

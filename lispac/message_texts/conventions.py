@@ -6,39 +6,42 @@ from lispac.language import N_, Template
 
 TEXTS: Mapping[str, Template] = {
     "convention.check_first": N_(
-        "These angles are right only if the assumption is. Check it on one line over a known "
-        "surface before use."
+        "These angles are valid only if the assumption is correct. Check the assumption on one "
+        "line over a known surface before use."
     ),
     "convention.uncorrelated": N_(
-        "The POS errors were assumed uncorrelated: these sigmas are several times too small."
+        "The POS errors were assumed to be uncorrelated, so these standard deviations are several "
+        "times too small."
     ),
     "convention.offsets": N_(
-        "The boresight holds together with {offsets:names}. Apply that there too."
+        "The boresight angles are valid only together with {offsets:names}. Apply these "
+        "corrections in the other program too."
     ),
     # -- angles ------------------------------------------------------------------------------------
     "convention.gimbal_lock": N_(
-        "The {middle} is at {angle:deg.0} deg, where {first} and {last} rotate about the same "
-        "axis: {last} is set to zero and {first} contains both. Sigmas have no meaning there."
+        "The {middle} is {angle:deg.0} deg, so {first} and {last} rotate about the same axis "
+        "(gimbal lock). {last} is set to zero, and {first} contains both rotations. Their standard "
+        "deviations are not defined."
     ),
     "convention.near_gimbal_lock": N_(
-        "The {middle} is within 10 deg of 90 deg: {first} and {last} change much with a small "
-        "rotation. Type all digits."
+        "The {middle} is within 10 deg of 90 deg, so {first} and {last} are very sensitive to "
+        "small rotations. Enter the angles with all digits."
     ),
     # -- lever arm ---------------------------------------------------------------------------------
     "convention.lever_arm_replaced": N_(
-        "The lever arm given here replaces that of the present matrix."
+        "The lever arm entered here replaces the lever arm of the current matrix."
     ),
     "convention.lever_arm_kept": N_(
-        "The lever arm is that of the present matrix, unchanged: none was given here."
+        "No lever arm was entered, so the lever arm of the current matrix is used unchanged."
     ),
     "convention.lever_arm_added": N_(
-        "The lines are assumed rotated and shifted by the present 4x4 matrix, so its lever arm is "
-        "part of the new one: the one given here is added to it. If they were only rotated, give "
+        "The lines are assumed to be rotated and shifted by the current 4x4 matrix, so the lever "
+        "arm entered here is added to that of the matrix. If the lines were only rotated, enter "
         "the 3x3 matrix alone."
     ),
     "convention.lever_arm_turned": N_(
-        "The lines are assumed rotated and shifted by the present 4x4 matrix, so its lever arm, "
-        "rotated by what was found, is the new one. If they were only rotated, give the 3x3 matrix "
-        "alone and the lever arm of the lines."
+        "The lines are assumed to be rotated and shifted by the current 4x4 matrix, so the new "
+        "lever arm is that of the matrix, rotated by the estimated boresight. If the lines were "
+        "only rotated, enter the 3x3 matrix alone and the lever arm of the lines."
     ),
 }

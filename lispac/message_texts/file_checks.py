@@ -7,72 +7,76 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- times -------------------------------------------------------------------------------
     "times.coarse": N_(
-        "{file}: times are in steps of {step:s} s, as if they had been stored with 32 bits. Points "
-        "get the position and attitude of another time. Export the file with 64-bit times."
+        "{file}: the times have a resolution of only {step:s} s, as if they had been stored with "
+        "32 bits. Points are assigned the position and attitude of another time. Export the file "
+        "with 64-bit times."
     ),
     "times.decreasing": N_(
-        "{file}: {count:n} of {total:n} times are earlier than the one before. Sort the file or "
-        "export it again."
+        "{file}: {count:n} of {total:n} times are earlier than the preceding time. Sort the file "
+        "or export it again."
     ),
     "times.repeated": N_(
-        "{file}: {count:n} of {total:n} times are equal to the one before. Sort the file or "
+        "{file}: {count:n} of {total:n} times are equal to the preceding time. Sort the file or "
         "export it again."
     ),
     "times.decreasing_points": N_(
-        "{file}: {count:n} of the first {total:n} points are earlier than the one before. The "
-        "points are read in the order of the file."
+        "{file}: {count:n} of the first {total:n} points have an earlier time than the preceding "
+        "point. The points are read in the order of the file."
     ),
-    "times.whole_numbers": N_("{file}: the times are whole numbers. Check their unit."),
+    "times.whole_numbers": N_(
+        "{file}: the times are whole numbers. Check whether they are in seconds."
+    ),
     "times.all_equal": N_(
-        "{file}: all points that were checked have the same time. The file may hold no times."
+        "{file}: all points that were checked have the same time, so the file may contain no "
+        "times. Check the time column."
     ),
     "times.several_bases": N_(
         "{file}: the times are read as {base}. Their values also fit {bases:choices}. Check the "
         "time base."
     ),
     "times.clock_without_base": N_(
-        "{file}: the times are written as hh:mm:ss, and the file does not state whether they are "
+        "{file}: the times are written as hh:mm:ss, and the file does not specify whether they are "
         "UTC. Choose the time base (utc-day or gps-day)."
     ),
     "times.utc_assumed": N_(
-        "{file}: the file does not state whether its times are UTC. UTC is assumed."
+        "{file}: the file does not specify whether its times are UTC. UTC is assumed."
     ),
     "times.base_contradicted": N_(
-        "{file}: the file states {base}, but times such as {time:s.3} s fit {bases:choices}. "
-        "Choose the time base."
+        "{file}: the time base specified in the file is {base}, but times such as {time:s.3} s fit "
+        "{bases:choices}. Choose the time base."
     ),
     "times.base_impossible": N_(
-        "{file}: the file states {base}, but times such as {time:s.3} s fit no known time base. "
-        "Choose the time base."
+        "{file}: the time base specified in the file is {base}, but times such as {time:s.3} s fit "
+        "no known time base. Choose the time base."
     ),
     # -- points ------------------------------------------------------------------------------
     "points.no_system": N_(
         "{file}: coordinates reach {largest:x.0}, too large for the scanner frame, and the file "
-        "states no coordinate system. Give its EPSG code."
+        "does not specify a coordinate system. Give its EPSG code."
     ),
     "points.around_origin": N_(
-        "{file}: the points lie all around the origin, as those of a scanner do. If the "
-        "coordinates are in millimetres, choose the scanner frame and that unit."
+        "{file}: the points lie all around the origin, as in the scanner frame. If the coordinates "
+        "are in millimetres, choose the scanner frame and the unit millimetres."
     ),
     "points.small_coordinates": N_(
-        "{file}: the file states a coordinate system, but its coordinates are small enough for "
+        "{file}: the file specifies a coordinate system, but its coordinates are small enough for "
         "the scanner frame. Check the frame."
     ),
     "points.far_from_origin": N_(
-        "{file}: points lie up to {distance:x.0} from the origin, beyond the range of the scanner "
-        "of a vessel. Check the frame and the unit (feet or millimetres)."
+        "{file}: points lie up to {distance:x.0} from the origin, beyond the range of a vessel's "
+        "scanner. Check the frame and the unit (feet or millimetres)."
     ),
     "points.away_from_origin": N_(
-        "{file}: all points lie {distance:x.0} or more from the origin, so the scanner is hardly "
-        "there. Check the frame."
+        "{file}: all points are {distance:x.0} or more from the origin, so the origin is probably "
+        "not the scanner. Check whether the points are in the scanner frame."
     ),
     "points.degrees": N_(
         "{file}: the first two coordinates vary by less than 0.02 and may be degrees of longitude "
         "and latitude. Check the frame."
     ),
     "points.unused_system": N_(
-        "{file}: the coordinate system {system} is given, but the points are in the scanner "
-        "frame, where no coordinate system is used. Leave it out, or check the frame."
+        "{file}: the coordinate system {system} is given, but the points are in the scanner frame, "
+        "which has no coordinate system. Remove the coordinate system, or check the frame."
     ),
     "points.coarse_coordinates": N_(
         "{file}: coordinates are stored in steps of {step:mm.0} mm ({axis}), which limits the "
@@ -84,35 +88,39 @@ TEXTS: Mapping[str, Template] = {
         "coordinates."
     ),
     "points.resolution_in_feet": N_(
-        "{file}: the resolution {resolution:x.8} comes from feet. Check the unit."
+        "{file}: the coordinate resolution {resolution:x.8} is a round value in feet, so the "
+        "coordinates may be in feet. Check the unit."
     ),
     "points.feet_in_header": N_("{file}: the header mentions feet. Check the unit."),
     "points.unit_of_column": N_(
-        "{file}: by its title, column x is in {unit}, but {system} is in {system_unit}. Choose "
-        "the same system in the unit of the file, or export the file in the unit of the system."
+        "{file}: according to its title, column x is in {unit}, but {system} is in {system_unit}. "
+        "Choose the same system in the unit of the file, or export the file in the unit of the "
+        "system."
     ),
     "points.of_one_target": N_(
-        "{file}: the file holds the points of one target on all lines, not those of one line."
+        "{file}: the file contains the points of one target on all lines, not the points of one "
+        "line. Choose the file of a line."
     ),
     # -- E57 and LAS -------------------------------------------------------------------------
     "e57.large_time_stamps": N_(
-        "{file}: time stamps such as {time:s.3} s are too large to count from the start of a "
-        "scan. They are used as they are."
+        "{file}: time stamps such as {time:s.3} s are too large to be seconds since the start of a "
+        "scan. They are used unchanged."
     ),
     "e57.start_not_stated": N_(
-        "{file}: the scans do not specify when they started. The time stamps are used as they are."
+        "{file}: the start times of the scans are not specified. The time stamps are used "
+        "unchanged."
     ),
     "e57.poses": N_(
-        "{file}: the scans have poses. They are applied to georeferenced points, but not in the "
-        "scanner frame."
+        "{file}: the scans have poses. They are applied to georeferenced points, but not to points "
+        "in the scanner frame."
     ),
     "las.unknown_wkt": N_(
         "{file}: the WKT of the header is not a coordinate system that PROJ knows. Choose the "
         "coordinate system."
     ),
     "las.system_by_name": N_(
-        "{file}: the header states the coordinate system {name} without a code. It is read as "
-        "{system}. Check it."
+        "{file}: the header specifies the coordinate system {name} without an EPSG code. It is "
+        "read as {system}. Check the coordinate system."
     ),
     "las.system_without_code": N_(
         "{file}: the coordinate system of the header ({name}) has no known code. Choose the "
@@ -123,8 +131,8 @@ TEXTS: Mapping[str, Template] = {
         "coordinate system."
     ),
     "las.unit_contradicts_system": N_(
-        "{file}: the header states the unit {unit}, but {system} is in {system_unit}. Choose the "
-        "coordinate system of the points."
+        "{file}: the header specifies the unit {unit}, but {system} is in {system_unit}. Choose "
+        "the coordinate system of the points."
     ),
     "las.unknown_vertical": N_(
         "{file}: the vertical reference of the header (code {code}) is not known. Choose the "
@@ -132,10 +140,10 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- motion of a trajectory --------------------------------------------------------------
     "trajectory.gaps": Plural(
-        "{file}: the trajectory has {count:n} gap longer than {limit:s.1} s, the longest "
-        "{longest:s.1} s. Points in gaps cannot be used.",
-        "{file}: the trajectory has {count:n} gaps longer than {limit:s.1} s, the longest "
-        "{longest:s.1} s. Points in gaps cannot be used.",
+        "{file}: the trajectory has {count:n} gap longer than {limit:s.1} s; it lasts "
+        "{longest:s.1} s. Points recorded in the gap cannot be used.",
+        "{file}: the trajectory has {count:n} gaps longer than {limit:s.1} s; the longest lasts "
+        "{longest:s.1} s. Points recorded in the gaps cannot be used.",
     ),
     "trajectory.impossible_speed": N_(
         "{file}: the positions move at {speed:m.0} m/s. Degrees may have been read as radians, or "
@@ -150,15 +158,15 @@ TEXTS: Mapping[str, Template] = {
         "{speed:m.1} m/s. Check the track and process the trajectory again."
     ),
     "trajectory.too_slow": N_(
-        "{file}: the vessel hardly moves in the part that was checked. The heading and the order "
-        "of latitude and longitude could not be compared with the course."
+        "{file}: the vessel hardly moves in the part of the file that was checked. The heading and "
+        "the order of latitude and longitude could not be compared with the course."
     ),
     "trajectory.exchanged": N_(
-        "{file}: latitude and longitude seem to be exchanged, because the course then follows the "
-        "heading. Check their order."
+        "{file}: latitude and longitude seem to be swapped, because the course agrees with the "
+        "heading only if they are. Check their order."
     ),
     "trajectory.heading_backward": N_(
-        "{file}: the heading is opposite to the course. Check that it is the heading of the bow, "
+        "{file}: the heading is opposite to the course. Check that it is the direction of the bow, "
         "clockwise from north."
     ),
     "trajectory.heading_differs": N_(
@@ -166,9 +174,9 @@ TEXTS: Mapping[str, Template] = {
         "the heading, its unit and its sign."
     ),
     "trajectory.other_area": N_(
-        "{file}: in {system} ({name}) the positions lie at latitude {latitude:deg.1} and "
-        "longitude {longitude:deg.1} deg, but the system is meant for {area}. Check the "
-        "coordinate system, and the unit and order of eastings and northings."
+        "{file}: in {system} ({name}) the positions lie at latitude {latitude:deg.1} and longitude "
+        "{longitude:deg.1} deg, outside the area of this system: {area}. Check the coordinate "
+        "system, and the unit and order of eastings and northings."
     ),
     "trajectory.speed_differs": N_(
         "{file}: the positions move at {ratio:x.2} times the speed in columns {east} and {north}. "
@@ -185,56 +193,60 @@ TEXTS: Mapping[str, Template] = {
         "times may decrease. Only the first rows are described here."
     ),
     "trajectory.columns_assumed": N_(
-        "{file}: no row names the columns. They are read as {columns:names}. Name the columns if "
-        "they differ."
+        "{file}: the file has no row of column names. The columns are read as {columns:names}. If "
+        "this is wrong, name the columns."
     ),
     "trajectory.position_in_radians": N_(
-        "{file}: the first latitudes and longitudes lie within a full circle in radians, so they "
-        "are read as radians. Choose degrees if they are degrees."
+        "{file}: the first latitudes and longitudes are small enough to be radians, so they are "
+        "read as radians. If they are in degrees, choose degrees."
     ),
     "trajectory.attitude_in_radians": N_(
-        "{file}: the first headings lie within a full circle in radians, so the attitude is read "
-        "as radians. Choose degrees if it is in degrees."
+        "{file}: the first headings are small enough to be radians, so the attitude is read as "
+        "radians. If it is in degrees, choose degrees."
     ),
     "trajectory.roll_starboard_down": N_(
-        "{file}: the file does not state the sign of roll. Positive starboard down is assumed."
+        "{file}: the file does not specify the sign of roll. Roll is assumed positive with "
+        "starboard down."
     ),
     "trajectory.roll_port_down": N_(
-        "{file}: the file does not state the sign of roll. Positive port down is assumed."
+        "{file}: the file does not specify the sign of roll. Roll is assumed positive with port "
+        "down."
     ),
     "trajectory.pitch_bow_up": N_(
-        "{file}: the file does not state the sign of pitch. Positive bow up is assumed."
+        "{file}: the file does not specify the sign of pitch. Pitch is assumed positive with bow "
+        "up."
     ),
     "trajectory.pitch_bow_down": N_(
-        "{file}: the file does not state the sign of pitch. Positive bow down is assumed."
+        "{file}: the file does not specify the sign of pitch. Pitch is assumed positive with bow "
+        "down."
     ),
     "trajectory.seconds_assumed": N_(
-        "{file}: the header states no unit for {column}. Seconds are assumed."
+        "{file}: the header does not specify the unit of {column}. Seconds are assumed."
     ),
     "trajectory.dates_assumed": N_(
-        "{file}: the header states no format for {column}. Dates are assumed."
+        "{file}: the header does not specify the format of {column}. Dates are assumed."
     ),
     "trajectory.degrees_assumed": N_(
-        "{file}: the header states no unit for {column}. Degrees are assumed."
+        "{file}: the header does not specify the unit of {column}. Degrees are assumed."
     ),
     "trajectory.metres_assumed": N_(
-        "{file}: the header states no unit for {column}. Metres are assumed."
+        "{file}: the header does not specify the unit of {column}. Metres are assumed."
     ),
     "trajectory.unit_of_system_assumed": N_(
-        "{file}: the header states no unit for {column}. That of the coordinate system is "
-        "assumed, and metres for heights without one."
+        "{file}: the header does not specify the unit of {column}. The unit of the coordinate "
+        "system is assumed, or metres for heights without a coordinate system."
     ),
     "trajectory.feet_not_specified": N_(
-        "{file}: column {column} is in feet without saying which, and {system} is in {unit}. Feet "
-        "of 0.3048 m are used; with US survey feet the positions would differ by metres. Choose "
-        "the unit."
+        "{file}: column {column} is in feet of an unspecified kind, and {system} is in {unit}. "
+        "Feet of 0.3048 m are used; with US survey feet the positions would differ by metres. "
+        "Choose the unit."
     ),
     "trajectory.height_unit_not_stated": N_(
-        "{file}: no unit is stated for the heights in column {column}, while eastings and "
-        "northings are in {unit}. Metres are used. Choose feet if the heights are in feet."
+        "{file}: the unit of the heights in column {column} is not specified; eastings and "
+        "northings are in {unit}. The heights are read in metres. If they are in feet, choose feet."
     ),
     "accuracy.all_zero": N_(
-        "{file}: the standard deviations are all zero, so the file holds no accuracy. Choose "
+        "{file}: all standard deviations are zero, so the file contains no accuracies. Choose "
         "another file."
     ),
     "accuracy.large": N_(
@@ -251,7 +263,8 @@ TEXTS: Mapping[str, Template] = {
         "file again."
     ),
     "sbet.other_format": N_(
-        "{file}: the numbers are not those of an SBET. Choose the format of the file."
+        "{file}: the numbers are not plausible values of an SBET file. Choose the format of the "
+        "file."
     ),
     "sbet.not_angles": N_(
         "{file}: latitude and longitude reach {largest:x} and can be neither radians nor degrees. "
@@ -268,55 +281,56 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the first coordinate exceeds 90 deg, so longitude is read before latitude."
     ),
     "sbet.longitude_first_by_velocity": N_(
-        "{file}: longitude is read before latitude, because only then do the velocities agree "
-        "with the positions."
+        "{file}: longitude is read before latitude, because the velocities agree with the "
+        "positions only in this order."
     ),
     "sbet.zero_velocities": N_(
         "{file}: all velocities are zero. Their axes and the wander angle could not be compared "
         "with the course."
     ),
     "sbet.too_slow": N_(
-        "{file}: the vessel hardly moves in the part that was checked. The velocities could not "
-        "be compared with the course."
+        "{file}: the vessel hardly moves in the part of the file that was checked. The velocities "
+        "could not be compared with the course."
     ),
     "sbet.velocities_disagree": N_(
-        "{file}: the velocities agree with the positions in no known frame (the best, {axes}, is "
-        "off by {share:percent.0} % of the speed). Check axes, unit and heading."
+        "{file}: the velocities do not agree with the positions in any known frame (the "
+        "best-fitting one, {axes}, differs by {share:percent.0} % of the speed). Check axes, unit "
+        "and heading."
     ),
     "sbet.several_axes": N_(
-        "{file}: the velocities fit the axes {axes:choices} about as well as those used. The "
-        "motion in the part that was checked does not distinguish them."
+        "{file}: the velocities fit the axes {axes:choices} almost as well as the axes used. The "
+        "motion in the part of the file that was checked is too small to distinguish them."
     ),
     "sbet.wander_assumed": N_(
-        "{file}: the heading is read as the platform heading less the wander angle, as Applanix "
-        "defines it. This could not be checked."
+        "{file}: the true heading is computed as the platform heading minus the wander angle, as "
+        "defined by Applanix. This could not be checked."
     ),
     "sbet.heading_less_wander": N_(
-        "{file}: the heading is read less the wander angle. It then follows the course to "
-        "{used:deg.1} deg instead of {other:deg.1} deg."
+        "{file}: the wander angle is subtracted from the heading. The heading then agrees with the "
+        "course within {used:deg.1} deg instead of {other:deg.1} deg."
     ),
     "sbet.heading_as_is": N_(
-        "{file}: the heading is read as true heading. It then follows the course to {used:deg.1} "
-        "deg instead of {other:deg.1} deg."
+        "{file}: the heading is read as true heading, without subtracting the wander angle. It "
+        "then agrees with the course within {used:deg.1} deg instead of {other:deg.1} deg."
     ),
     "sbet.heading_uncertain": N_(
-        "{file}: the velocities count from true north although there is a wander angle (up to "
-        "{wander:deg.2} deg), so the heading may do so too. It is read less the wander angle, as "
-        "Applanix defines it. Check with the producer of the file."
+        "{file}: the wander angle is up to {wander:deg.2} deg, but the velocities refer to true "
+        "north, so the heading may refer to it too. The wander angle is subtracted from the "
+        "heading, as defined by Applanix. Ask the producer of the file whether this is right."
     ),
     "sbet.zero_rates": N_(
         "{file}: all angular rates are zero, so the signs of roll and pitch could not be checked. "
-        "Those of Applanix are assumed: roll positive starboard down, pitch positive bow up."
+        "The signs of Applanix are assumed: roll positive starboard down, pitch positive bow up."
     ),
     "sbet.signs_not_checked": N_(
-        "{file}: the motion in the part that was checked is too small to check the sign of "
-        "{angles:names} by the angular rates. Those of Applanix are assumed: roll positive "
-        "starboard down, pitch positive bow up."
+        "{file}: the motion in the part of the file that was checked is too small to check the "
+        "sign of {angles:names} with the angular rates. The signs of Applanix are assumed: roll "
+        "positive starboard down, pitch positive bow up."
     ),
     "sbet.other_signs": N_(
-        "{file}: by the angular rates the signs differ from those of Applanix: {signs:names}. "
-        "This holds if the rates are in the axes of the vessel, x forward. Check with the "
-        "producer of the file."
+        "{file}: according to the angular rates, the signs differ from those of Applanix: "
+        "{signs:names}. This is valid only if the rates refer to the axes of the vessel, x "
+        "forward. Ask the producer of the file."
     ),
     "sign.roll_starboard_down": N_("roll positive starboard down"),
     "sign.roll_port_down": N_("roll positive port down"),
@@ -329,9 +343,9 @@ TEXTS: Mapping[str, Template] = {
     "axes.nwu": N_("north-west-up"),
     "axes.neu": N_("north-east-up"),
     "cidco.no_origin": N_(
-        "{file}: the file does not state where its local frame is on Earth. Latitude 0 and "
-        "longitude 0 are used, on which the boresight does not depend. Give the origin before "
-        "clouds are exported to a map."
+        "{file}: the file does not specify the origin of its local frame. Latitude 0 and longitude "
+        "0 are used; the boresight does not depend on them. Give the origin before you export "
+        "georeferenced clouds."
     ),
     "unit.metres": N_("metres"),
     "unit.millimetres": N_("millimetres"),
@@ -342,10 +356,10 @@ TEXTS: Mapping[str, Template] = {
     "unit.inches": N_("inches"),
     "unit.yards": N_("yards of 0.9144 m"),
     "unit.fathoms": N_("fathoms"),
-    "unit.other": N_("{name} (of {metres:m.9} m)"),
-    "unit.as_in_system": N_("{unit}, as in the coordinate system (the file names no unit)"),
-    "unit.feet_of_system": N_("{unit}, the feet of the coordinate system"),
-    "unit.metres_assumed": N_("metres (the file names no unit)"),
+    "unit.other": N_("{name} (1 unit = {metres:m.9} m)"),
+    "unit.as_in_system": N_("{unit}, as in the coordinate system (the file specifies no unit)"),
+    "unit.feet_of_system": N_("{unit}, as in the coordinate system"),
+    "unit.metres_assumed": N_("metres (the file specifies no unit)"),
     "unit.positive_west": N_("{unit}, positive to the west"),
     "unit.positive_south": N_("{unit}, positive to the south"),
     "unit.radians": N_("radians"),

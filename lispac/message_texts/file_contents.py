@@ -37,7 +37,7 @@ TEXTS: Mapping[str, Template] = {
     "fact.no_title": N_("without a title"),
     "fact.pospac": N_("POSPac text export"),
     "fact.points_in_scans": N_("{points:n} in {scans:n} scans"),
-    "fact.states": N_("{count:n} states of different times"),
+    "fact.states": N_("{count:n} trajectory states at different times"),
     "fact.about": N_("about {count:n}"),
     "fact.scanner_frame": N_("scanner frame"),
     "fact.georeferenced": N_("georeferenced"),
@@ -59,11 +59,11 @@ TEXTS: Mapping[str, Template] = {
     "fact.speeds": N_("{low:m.2} to {high:m.2} m/s"),
     "fact.velocities_zero": N_("all zero"),
     "fact.velocities_not_checked": N_("not checked"),
-    "fact.velocities_in_no_frame": N_("do not agree with the positions in any known axes"),
+    "fact.velocities_in_no_frame": N_("do not agree with the positions in any known frame"),
     "fact.velocity_axes": N_(
         "{axes} (agree with the positions to {share:percent.1} % of the speed)"
     ),
-    "fact.signs": N_("{signs:names} (by the angular rates)"),
+    "fact.signs": N_("{signs:names} (from the angular rates)"),
     "fact.signs_not_checked": N_("signs not checked"),
     # -- assumptions about trajectories ------------------------------------------------------------
     "assumed.applanix": N_(
@@ -73,10 +73,13 @@ TEXTS: Mapping[str, Template] = {
     "assumed.heading_less_wander": N_(
         "The true heading is the platform heading minus the wander angle."
     ),
-    "assumed.heading_as_is": N_("The true heading is the platform heading as it is."),
-    "assumed.heading_true": N_("The heading is clockwise from true north."),
+    "assumed.heading_as_is": N_(
+        "The platform heading is used as the true heading; the wander angle is not subtracted."
+    ),
+    "assumed.heading_true": N_("The heading is measured clockwise from true north."),
     "assumed.heading_grid": N_(
-        "The heading is clockwise from grid north. The meridian convergence is added to it."
+        "The heading is measured clockwise from grid north. The meridian convergence is added to "
+        "it."
     ),
     "assumed.roll_starboard_down": N_("Roll is positive starboard down."),
     "assumed.roll_port_down": N_("Roll is positive port down. Its sign is reversed."),
@@ -94,83 +97,84 @@ TEXTS: Mapping[str, Template] = {
     "assumed.little_endian": N_("The byte order is little-endian."),
     "assumed.big_endian": N_("The byte order is big-endian."),
     "assumed.ellipsoidal_heights": N_(
-        "Heights are above the ellipsoid. The file does not state the datum."
+        "Heights are ellipsoidal. The file does not specify the datum."
     ),
     "assumed.heights_above_sea": N_(
-        "Heights are above sea level but used as heights above the ellipsoid. Absolute heights "
-        "are off by the geoid height."
+        "Heights above sea level are used as ellipsoidal heights. Absolute heights are therefore "
+        "wrong by the geoid height."
     ),
     "assumed.time_rollover": Plural(
-        "The times restart once (at midnight or at the end of the week) and are continued.",
-        "The times restart {count:n} times (at midnight or at the end of the week) and are "
-        "continued.",
+        "The times restart from zero once (at midnight or at the end of the week). A day or a "
+        "week is added to the later times.",
+        "The times restart from zero {count:n} times (at midnight or at the end of the week). A "
+        "day or a week is added to the later times each time.",
     ),
     "assumed.dates_utc": N_("Date and time of day are UTC."),
     "assumed.dates_gps": N_("Date and time of day are GPS time."),
-    "assumed.header_columns": N_("{format}: columns and units are those of the header."),
-    "assumed.given_columns": N_("Text with the columns {columns:names}."),
+    "assumed.header_columns": N_("{format}: columns and units are read from the header."),
+    "assumed.given_columns": N_("The file is text with the columns {columns:names}."),
     "assumed.column_unit": N_("Column {column}: {unit}."),
     "assumed.grid_positions": N_(
-        "Eastings and northings are in {system}. Latitude and longitude are on its datum."
+        "Eastings and northings are in {system}. Latitude and longitude refer to its datum."
     ),
     "assumed.cidco_positions": N_(
-        "Positions are in metres north, west and up of {origin} (deg, deg, m)."
+        "Positions are in metres north, west and up from the origin {origin} (deg, deg, m)."
     ),
     "assumed.cidco_attitude": N_(
-        "Roll is positive starboard down, pitch is positive bow down, the heading is clockwise "
-        "from north of the local frame; all are in radians."
+        "Roll is positive starboard down, pitch is positive bow down, and the heading is clockwise "
+        "from north of the local frame. All angles are in radians."
     ),
     "assumed.times_of_points": N_("The times are in the time base of the points."),
-    "assumed.constant_accuracy": N_(
-        "The standard deviations of the POS are those entered, the same at all times."
-    ),
+    "assumed.constant_accuracy": N_("The POS standard deviations entered are used for all times."),
     # -- assumptions about points ------------------------------------------------------------------
     "assumed.format": N_("{file}: {format}."),
     "assumed.scanner_frame": N_("Points are in the scanner frame."),
     "assumed.metres_in_scanner_frame": N_("Coordinates are metres in the scanner frame."),
-    "assumed.las_time": N_("The time of a point is its gps_time."),
+    "assumed.las_time": N_("The time of a point is its LAS field gps_time."),
     "assumed.same_time_base": N_("Points and trajectory have the same time base."),
     "assumed.same_time_base_shifted": N_(
-        "Points and trajectory have the same time base once the time shifts are added."
+        "After the time shifts are added, points and trajectory have the same time base."
     ),
     "assumed.time_shift": N_("{file}: {shift:s.3+} s are added to the times."),
-    "assumed.cidco_columns": N_("The columns are in the order of CIDCO."),
-    "assumed.scanner_coordinates": N_("The coordinates in the scanner frame are used."),
+    "assumed.cidco_columns": N_("The columns are in the order defined by CIDCO."),
+    "assumed.scanner_coordinates": N_("The coordinates of the file in the scanner frame are used."),
     "assumed.other_columns_kept": N_(
-        "The local coordinates and the states of the POS are kept as attributes."
+        "The local coordinates and the POS states are stored as attributes of the points."
     ),
-    "assumed.time_stamps_from_scan": N_("Time stamps count from the start of their scan."),
-    "assumed.time_stamps_as_they_are": N_("Time stamps are used as they are."),
-    "assumed.time_field": N_("The field {field} is the time, in {unit}."),
+    "assumed.time_stamps_from_scan": N_("Time stamps are seconds since the start of the scan."),
+    "assumed.time_stamps_as_they_are": N_("Time stamps are used unchanged."),
+    "assumed.time_field": N_("The time is read from the field {field}, in {unit}."),
     "assumed.time_unit": N_("The times are in {unit}."),
-    "assumed.waveforms": N_("Waveforms are not read. The references of the points to them are."),
+    "assumed.waveforms": N_(
+        "Waveforms are not read; only the references from the points to their waveforms are read."
+    ),
     "assumed.waveforms_mixed_up": N_(
-        "In compressed files with several scanner channels, the references of points to their "
-        "waveforms may be read with another size, place and direction."
+        "In compressed files with several scanner channels, the references from points to their "
+        "waveforms may have a wrong size, position and direction."
     ),
     "assumed.cloud_made_with": N_(
-        "The points were made with this trajectory, lever arm and boresight and were not adjusted "
+        "The cloud was computed with this trajectory, lever arm and boresight and was not adjusted "
         "afterwards."
     ),
     # -- assumptions about coordinate systems ------------------------------------------------------
     "assumed.system": N_("The coordinate system is {system}."),
-    "assumed.local_frame": N_("Coordinates are metres north, west and up in the local frame."),
+    "assumed.local_frame": N_("Coordinates are in metres north, west and up in the local frame."),
     "assumed.local_frame_of_cloud": N_("Coordinates are in the local frame of the cloud."),
     "assumed.height_offset": N_("{offset:m.3+} m are added to the heights."),
     "assumed.heights_not_named": N_(
-        "The coordinate system has no heights. They are taken as heights above the ellipsoid."
+        "The coordinate system has no vertical reference. Heights are assumed to be ellipsoidal."
     ),
-    "assumed.height_unit": N_("The unit of heights is the {unit}."),
+    "assumed.height_unit": N_("The unit of heights is {unit}."),
     "assumed.height_unit_as_horizontal": N_(
-        "The unit of heights is that of the horizontal coordinates, the {unit}."
+        "The unit of heights is that of the horizontal coordinates: {unit}."
     ),
-    "assumed.datum": N_("The trajectory is in {datum}. Nothing is moved to another datum."),
+    "assumed.datum": N_("The trajectory is in {datum}. No datum transformation is applied."),
     "assumed.datum_shift": N_(
-        "The trajectory is in {datum}. Points are moved to it from {source}."
+        "The trajectory is in {datum}. The points are transformed from {source} to this datum."
     ),
     # -- assumptions about lists of points ---------------------------------------------------------
-    "assumed.columns_as_named": N_("Columns as named: {columns:names}."),
-    "assumed.columns_by_order": N_("Columns by their order: {columns:names}."),
+    "assumed.columns_as_named": N_("Columns identified by their names: {columns:names}."),
+    "assumed.columns_by_order": N_("Columns identified by their order: {columns:names}."),
     "assumed.list_system": N_("The coordinates are in {system}."),
     "list_column.name": N_("name"),
     "list_column.role": N_("role"),

@@ -8,35 +8,35 @@ TEXTS: Mapping[str, Template] = {
     # -- trajectory accuracy -----------------------------------------------------------------
     "accuracy.too_large": N_(
         "{file}: {count:n} records ({share:percent.2} %) have standard deviations over 10,000 m or "
-        "180 deg, as exporters write them where there is no solution. Points at these times have "
+        "180 deg, which some programs write where there is no solution. Points at these times have "
         "no weight in the adjustment. Export the file again, or check the solution at these times."
     ),
     # -- points of a line --------------------------------------------------------------------
     "audit.time_resolution": N_(
-        "{line}: point times are in steps of {step:ms} ms, with {points:n} points to each step. "
-        "Positions of points are off by up to {shift:mm} mm and attitudes by up to {turn:deg} deg, "
-        "which does not average out. Export the line with exact times (64 bits)."
+        "{line}: the point times have a resolution of only {step:ms} ms, so about {points:n} "
+        "points share one time. This causes systematic errors of up to {shift:mm} mm in position "
+        "and {turn:deg} deg in attitude. Export the line with exact times (64 bits)."
     ),
     "audit.time_steps": N_(
-        "{line}: point times are in steps of {step:ms} ms, with {points:n} points to each step. "
-        "Positions and attitudes of points are off by the motion within half a step, which does "
-        "not average out. Export the line with exact times (64 bits)."
+        "{line}: the point times have a resolution of only {step:ms} ms, so about {points:n} "
+        "points share one time. This causes systematic errors in position and attitude, up to the "
+        "motion within half a step. Export the line with exact times (64 bits)."
     ),
     "audit.first_points": N_(
-        "{file}: the first {count:n} points were checked. The import checks all of them."
+        "{file}: only the first {count:n} points were checked. All points are checked at the "
+        "import."
     ),
-    "file.split": N_("The file becomes {count:n} lines: {lines:names}."),
+    "file.split": N_("The file is split into {count:n} lines: {lines:names}."),
     "audit.not_finite": N_(
-        "{line}: {count:n} points ({share:percent.2} %) have values that are not numbers. "
-        "They are excluded."
+        "{line}: {count:n} points ({share:percent.2} %) have values that are NaN or infinite. They "
+        "are excluded."
     ),
     "audit.no_range": N_(
-        "{line}: {count:n} points ({share:percent.2} %) have no range or one value for x, y and z: "
-        "shots without an echo. "
-        "They are excluded."
+        "{line}: {count:n} points ({share:percent.2} %) are pulses without an echo (no range, or "
+        "the same value for x, y and z). They are excluded."
     ),
     "audit.too_far": N_(
-        "{line}: {count:n} points ({share:percent.2} %) lie beyond the largest range of the "
+        "{line}: {count:n} points ({share:percent.2} %) lie beyond the maximum range of the "
         "scanner. They are excluded."
     ),
     "audit.duplicates": N_(
@@ -44,18 +44,20 @@ TEXTS: Mapping[str, Template] = {
         "They are excluded."
     ),
     "audit.withheld": N_(
-        "{line}: {count:n} points ({share:percent.2} %) have the withheld flag. They are excluded."
+        "{line}: {count:n} points ({share:percent.2} %) are flagged as withheld in the LAS file. "
+        "They are excluded."
     ),
     "audit.of_classes": N_(
-        "{line}: {count:n} points ({share:percent.2} %) are excluded by their class."
+        "{line}: {count:n} points ({share:percent.2} %) belong to classes that are excluded from "
+        "the import. They are not used."
     ),
     "audit.not_selected": N_(
-        "{line}: {count:n} points ({share:percent.2} %) do not meet the conditions given for the "
-        "line. They are excluded."
+        "{line}: {count:n} points ({share:percent.2} %) do not meet the selection conditions of "
+        "the line. They are excluded."
     ),
     "audit.beyond_range": N_(
-        "{line}: the imported points reach {distance:km.1} km from the scanner, farther than its "
-        "largest range of {limit:km.1} km. Results from these points are wrong. Check the file of "
+        "{line}: imported points lie up to {distance:km.1} km from the scanner, beyond its maximum "
+        "range of {limit:km.1} km. Results computed from these points are wrong. Check the file of "
         "the line, then import the line again."
     ),
     "audit.not_checked": N_(
@@ -63,171 +65,173 @@ TEXTS: Mapping[str, Template] = {
         "Import the line again."
     ),
     "audit.noise_classes": N_(
-        "{line}: {count:n} points are classified as noise (class {classes:names}). "
-        "They may lie off the targets. Exclude these classes."
+        "{line}: {count:n} points are classified as noise (class {classes:names}). They may not be "
+        "on the surfaces of the targets. Exclude these classes."
     ),
     "audit.several_scanners": N_(
-        "{line}: the file holds points of {count:n} scanners ({attribute} {values:names}). "
-        "Each scanner has its own boresight and lever arm, so one boresight for all is wrong. "
-        "Split the line, or use one scanner."
+        "{line}: the file contains points of {count:n} scanners ({attribute} {values:names}). Each "
+        "scanner has its own boresight and lever arm, so a common boresight is wrong. Split the "
+        "line, or use one scanner."
     ),
     "audit.several_sources": N_(
-        "{line}: the file holds points of {count:n} sources ({attribute} {values:names}): "
-        "several passes or several scanners. Passes that count as one line are not compared with "
-        "each other, and one boresight does not fit several scanners. Split the line, or use one "
-        "source."
+        "{line}: the file contains points of {count:n} sources ({attribute} {values:names}), that "
+        "is, several passes or several scanners. Passes in one line are not compared with each "
+        "other, and several scanners have no common boresight. Split the line, or use one source."
     ),
     "audit.several_passes": N_(
-        "{line}: the file holds {count:n} passes, separated by pauses in which the vessel turned. "
-        "They count as one line and are not compared with each other. Split the line."
+        "{line}: the file contains {count:n} passes, separated by pauses in which the vessel "
+        "turned. Passes in one line are not compared with each other. Split the line."
     ),
     "trajectory.rate_too_low": N_(
-        "{line}: the trajectory has {rate:hz} states a second, too few for its motion. Between the "
-        "states the interpolation is off by up to {shift:mm} mm and {turn:deg} deg, "
-        "{share:percent} % of the stated accuracy. Export the trajectory at a higher rate."
+        "{line}: the trajectory has {rate:hz} states per second, too few for its motion. The "
+        "interpolation between them has errors of up to {shift:mm} mm and {turn:deg} deg, which is "
+        "{share:percent} % of the given accuracy. Export the trajectory at a higher rate."
     ),
     # -- recovery of georeferenced lines -----------------------------------------------------
     "recovery.height_offset": N_(
-        "{line}: the heights less those of the trajectory are {offset:m.1} m, as with heights "
-        "above sea level and an ellipsoidal trajectory. The recovered points do not lie on the "
-        "beams of the scanner (off by {misfit:mm} mm), and the angles will be wrong. Give the "
-        "vertical reference, or {value:m.1} m to be added."
+        "{line}: heights above sea level seem to be combined with an ellipsoidal trajectory "
+        "(difference {offset:m.1} m). The scanner points recovered from the cloud deviate from the "
+        "scanner beams by {misfit:mm} mm, and the angles will be wrong. Give the vertical "
+        "reference, or a height offset of {value:m.1} m."
     ),
     "recovery.time_offset": N_(
-        "{line}: the points fit the beams of the scanner only with {value:s} s added to their "
-        "times. The recovered points are off by {misfit:mm} mm, and the angles will be wrong. "
-        "Check the time base of the line."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree if {value:s} s are added to the times. The angles will be "
+        "wrong. Check the time base of the line."
     ),
     "recovery.lever_arm_x": N_(
-        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the "
-        "lever arm forward. The cloud was made with another lever arm (recovered points are off "
-        "by {misfit:mm} mm). Give the lever arm that made the cloud."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree if {value:m.2} m are added to the lever arm in the forward "
+        "direction, so the cloud was computed with another lever arm. Give that lever arm."
     ),
     "recovery.lever_arm_y": N_(
-        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the "
-        "lever arm to the left. The cloud was made with another lever arm (recovered points are "
-        "off by {misfit:mm} mm). Give the lever arm that made the cloud."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree if {value:m.2} m are added to the lever arm to the left, so "
+        "the cloud was computed with another lever arm. Give that lever arm."
     ),
     "recovery.lever_arm_z": N_(
-        "{line}: the points fit the beams of the scanner only with {value:m.2} m added to the "
-        "lever arm up. The cloud was made with another lever arm (recovered points are off by "
-        "{misfit:mm} mm). Give the lever arm that made the cloud."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree if {value:m.2} m are added to the lever arm upwards, so the "
+        "cloud was computed with another lever arm. Give that lever arm."
     ),
     "recovery.roll_sign": N_(
-        "{line}: the points fit the beams of the scanner only with the opposite sign of roll (off"
-        " by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the "
-        "trajectory."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree with the opposite sign of roll. The angles will be wrong. "
+        "Check the signs of the trajectory."
     ),
     "recovery.pitch_sign": N_(
-        "{line}: the points fit the beams of the scanner only with the opposite sign of pitch "
-        "(off by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of the "
-        "trajectory."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree with the opposite sign of pitch. The angles will be wrong. "
+        "Check the signs of the trajectory."
     ),
     "recovery.roll_pitch_signs": N_(
-        "{line}: the points fit the beams of the scanner only with the opposite signs of roll and"
-        " pitch (off by {misfit:mm} mm otherwise). The angles will be wrong. Check the signs of "
-        "the trajectory."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm. They agree with the opposite signs of roll and pitch. The angles will be "
+        "wrong. Check the signs of the trajectory."
     ),
     "recovery.several_causes": N_(
-        "{line}: the recovered points do not lie on the beams of the scanner (off by {misfit:mm} "
-        "mm), and the angles will be wrong. Several causes explain it: {causes:names}. Check "
-        "them."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm, and the angles will be wrong. Possible causes: {causes:names}. Check them."
     ),
     "recovery.unexplained": N_(
-        "{line}: the recovered points do not lie on the beams of the scanner (off by {misfit:mm} "
-        "mm). No single error of heights, time, lever arm or signs explains it: the cloud may "
-        "have been made with another trajectory, or adjusted. The angles may be wrong."
+        "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
+        "{misfit:mm} mm, and the angles may be wrong. No single error of heights, time, lever arm "
+        "or signs explains this. Check whether the cloud was computed with another trajectory, or "
+        "adjusted."
     ),
     "recovery.recorded_mounting": N_(
-        "{line}: the cloud says how it was made (boresight roll {roll:deg.4}, pitch {pitch:deg.4}, "
-        "yaw {yaw:deg.4} deg). The points of the scanner are recovered with these values."
+        "{line}: the file records the boresight with which the cloud was computed (roll "
+        "{roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg). It is used to recover the "
+        "scanner points from the cloud."
     ),
     "recovery.other_lever_arm": N_(
-        "{line}: the cloud was made with the lever arm {x:m.3}, {y:m.3}, {z:m.3} m, which differs "
-        "by {off:mm} mm from the prior one. The points are recovered with the former, but the "
-        "estimate uses the latter. Correct the lever arm if it was the same scanner."
+        "{line}: the cloud was computed with the lever arm {x:m.3}, {y:m.3}, {z:m.3} m, which "
+        "differs by {off:mm} mm from the prior lever arm. The scanner points are recovered with "
+        "the lever arm of the cloud, but the boresight is estimated with the prior one. If both "
+        "refer to the same scanner, correct the prior lever arm."
     ),
     "recovery.boresight_used": N_(
-        "{line}: the recovered beams lie in a plane turned by {turn:deg.1} deg from the axes of "
-        "the scanner. If the scanner measures along its axes, the cloud was made with another "
-        "boresight than the prior one. Give that boresight as the prior."
+        "{line}: the beams recovered from the cloud lie in a plane that is rotated by {turn:deg.1} "
+        "deg from the scanner axes. If the scanner measures along its axes, the cloud was computed "
+        "with another boresight than the prior one. Give the boresight of the cloud as the prior "
+        "boresight."
     ),
     "audit.shared_points": N_(
-        "{line} and {other} have points in common ({share:percent.1} % of the smaller line). "
-        "Points that count twice make the standard deviations too small. Exclude {smaller}."
+        "{line} and {other} have points in common ({share:percent.1} % of the smaller line). These "
+        "points count twice, so the standard deviations are too small. Exclude {smaller}."
     ),
     "audit.same_time": N_(
-        "{line} and {other} overlap in time by {seconds:n} s. If they come from one scanner, "
-        "one of them is a copy and makes the standard deviations too small. If they come from "
-        "two scanners, each has boresight angles of its own. Exclude one of them."
+        "{line} and {other} overlap in time by {seconds:n} s. If they come from one scanner, one "
+        "is a copy of the other, and the standard deviations are too small. If they come from two "
+        "scanners, they have different boresight angles. Exclude one of the two lines."
     ),
     "text.unit_overridden": N_(
-        "{file}: the columns {stated:names} state a unit, but {option} is set to {given}. The "
-        "values are read in the unit that is set, and all results depend on it. Check the option."
+        "{file}: the titles of the columns {stated:names} specify a unit, but the option {option} "
+        "is set to {given}. The values are read in the unit of the option, on which all results "
+        "depend. Check the option."
     ),
     "text.two_columns": N_(
-        "{file}: the columns {columns:names} have the same meaning. {used} is used. State the "
-        "columns if that is the wrong one."
+        "{file}: the columns {columns:names} have the same meaning. Column {used} is used. If this "
+        "is wrong, name the columns."
     ),
     "text.magnetic_heading": N_(
-        "{file}: column {column} is a magnetic heading by its title. All headings are off by the "
-        "magnetic declination. Export the true heading."
+        "{file}: according to its title, column {column} is a magnetic heading. All headings are "
+        "wrong by the magnetic declination. Export the true heading."
     ),
     "text.unknown_unit": N_(
-        "{file}: the unit in the title of column {column} is not known. {used} are taken. Check it."
+        "{file}: the unit in the title of column {column} is not known. The values are read in "
+        "{used}. Check the unit."
     ),
     "trajectory.angles_in_radians": N_(
         "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
-        "radians. The angles are read as degrees, so all results will be wrong. Set radians."
+        "in radians. The angles are read as degrees, so all results will be wrong. Choose radians."
     ),
     "trajectory.angles_in_degrees": N_(
         "{file}: heading and course differ by {difference:deg.0} deg, but agree if the angles are "
-        "degrees. The angles are read as radians, so all results will be wrong. Set degrees."
+        "in degrees. The angles are read as radians, so all results will be wrong. Choose degrees."
     ),
     "trajectory.rates_not_used": N_(
-        "The velocities or angular rates of the trajectory contradict its states in {names:names}. "
-        "These are interpolated linearly. Check the export of velocities and rates."
+        "The velocities or angular rates of the trajectory do not agree with its {names:names}. "
+        "These components are interpolated linearly. Check the export of velocities and rates."
     ),
     "trajectory.no_position": N_(
         "{count:n} states of the trajectory have no position (latitude and longitude are 0, as "
-        "before the GNSS has a fix). They are excluded. Start the export at the first fix."
+        "before the first GNSS fix). They are excluded. Start the export at the first fix."
     ),
     "las.scale": N_(
-        "{file}: the coordinates are in steps (scale factors) of {scale:names}, which cannot be "
-        "right. Export the file again."
+        "{file}: the scale factors of the coordinates, {scale:names}, are impossible. Export the "
+        "file again."
     ),
-    "file.is_folder": N_("{file}: there is a folder of this name. Choose another name."),
+    "file.is_folder": N_("{file}: a folder already has this name. Choose another name."),
     "file.is_device": N_(
-        "{file}: this is a device or a pipe, and no file can be written in its place. Choose "
-        "another name."
+        "{file}: this is a device or a pipe and cannot be replaced by a file. Choose another name."
     ),
     "file.bad_name": N_(
-        "{file}: this cannot be the name of a file (it has a character that no name may have). "
-        "Choose another name."
+        "{file}: this file name contains a character that is not allowed. Choose another name."
     ),
     "store.audit_damaged": N_(
-        "{line}: what the import found in the points is damaged. Import the line again."
+        "{line}: the stored results of the point checks are damaged. Import the line again."
     ),
     "file.header_count": N_(
-        "{file}: the header counts {header:n} points, but the file holds {held:n}. All of them "
-        "are read. Export the file again before another program reads it."
+        "{file}: according to the header the file has {header:n} points, but it contains {held:n}. "
+        "All of them are read. Export the file again before you use it in another program."
     ),
     "file.legacy_count": N_(
-        "{file}: the two point counts of the header differ ({header:n} and {legacy:n}). The file "
-        "holds {held:n} points, and all are read."
+        "{file}: the two point counts in the header differ ({header:n} and {legacy:n}). The file "
+        "contains {held:n} points, and all are read."
     ),
     "file.unread_bytes": N_(
-        "{file}: {bytes:n} bytes follow the {held:n} points and do not look like points. They are "
-        "not read. Export the file again if points are missing."
+        "{file}: the {held:n} points are followed by {bytes:n} bytes that are not point records. "
+        "These bytes are not read. Export the file again if points are missing."
     ),
     "file.two_systems": N_(
-        "{file}: the header states two coordinate systems. {used} applies by its WKT bit, {other} "
-        "does not. If the points are in the second one, they are placed wrongly: set it as the "
+        "{file}: the header specifies two coordinate systems, {used} and {other}. {used} is used, "
+        "as the WKT bit of the header requires. If the points are in {other}, set it as the "
         "coordinate system (option crs)."
     ),
     "file.unusable_system": N_(
-        "{file}: the coordinate system that applies by the header cannot be used. {system}, which "
-        "the header states as well, is used."
+        "{file}: the header specifies two coordinate systems. The one that the WKT bit requires "
+        "cannot be used, so {system} is used. Check the coordinate system."
     ),
     "file.invalid_points": N_(
         "{file}: {count:n} of {total:n} points are marked as invalid in the file. They are not "

@@ -7,26 +7,27 @@ from lispac.language import N_, Template
 TEXTS: Mapping[str, Template] = {
     # -- import --------------------------------------------------------------------------------
     "import.file_missing": N_(
-        "{file}: this line file does not exist, but {line} must be imported again. Restore the "
-        "file. The earlier import was refused: {reason}"
+        "{file}: this line file does not exist, but line {line} must be imported again. Restore "
+        "the file. The earlier import cannot be used: {reason}"
     ),
     "import.repeated": N_(
-        "{line} was imported again. The earlier import was refused ({reason}). Nothing needs to "
-        "be done."
+        "{line} was imported again, because the earlier import could not be used ({reason}). No "
+        "action is needed."
     ),
     "import.reading_changed": N_(
-        "{line}: how its file is read has changed since the import. Import the line again."
+        "{line}: the reading options of its file have changed since the import. Import the line "
+        "again."
     ),
     "import.columns_changed": N_(
-        "{line}: the names of its columns have changed since the import. Import the line again."
+        "{line}: the column names of its file have changed since the import. Import the line again."
     ),
     "import.trajectory_changed": N_(
-        "{line}: the trajectory, its origin or its longest gap has changed since the import. "
-        "Import the line again."
+        "{line}: the trajectory, its origin or the longest gap to interpolate has changed since "
+        "the import. Import the line again."
     ),
     "import.mounting_changed": N_(
-        "{line}: the prior mounting, with which its points are brought back to the scanner, has "
-        "changed since the import. Import the line again."
+        "{line}: the prior lever arm or boresight, used to recover the scanner points from the "
+        "cloud, has changed since the import. Import the line again."
     ),
     "import.latency_changed": N_(
         "{line}: the latency has changed since the import. Import the line again."
@@ -47,35 +48,35 @@ TEXTS: Mapping[str, Template] = {
         "writes to it."
     ),
     "import.part_missing": N_(
-        "{file}: this part of the imported line {line} is missing. Import the line again."
+        "{file}: this file of the imported line {line} is missing. Import the line again."
     ),
     "import.part_changed": N_(
-        "{file}: this part of the imported line {line} has changed (its checksum does not "
-        "match). Import the line again."
+        "{file}: this file of the imported line {line} has changed (its checksum does not match). "
+        "Import the line again."
     ),
-    "import.no_points": N_("{file}: this line holds no points. Leave it out."),
+    "import.no_points": N_("{file}: this line contains no points. Exclude it from the project."),
     "import.no_usable_point": N_(
-        "{file}: none of its {count:n} points can be used: {not_finite:n} have values that are "
-        "not numbers, {no_range:n} have no range, {too_far:n} are too far, {withheld:n} are "
-        "withheld, {not_selected:n} are not selected. Check the options of the line, or export "
-        "it again."
+        "{file}: none of its {count:n} points can be used: {not_finite:n} have NaN or infinite "
+        "values, {no_range:n} have no range, {too_far:n} are beyond the maximum range, "
+        "{withheld:n} are flagged as withheld, {not_selected:n} are not selected. Check the "
+        "options of the line, or export it again."
     ),
     "import.other_points": N_(
-        "{file}: these are not the points on which {target} was picked, or the trajectory now "
-        "covers other points. Restore the file, or create a new project."
+        "{file}: these are not the points on which target {target} was picked, or the trajectory "
+        "now covers other points. Restore the file, or create a new project."
     ),
     "import.points_missing": N_(
-        "{folder}: {target} has points that {line} does not have, so the project is damaged. "
-        "Restore its folder from a copy."
+        "{folder}: target {target} has points that do not exist on line {line}, so the project is "
+        "damaged. Restore its folder from a copy."
     ),
     "import.accuracy_times": N_(
         "{file}: its times ({first:s.1} to {last:s.1} s) do not overlap those of the trajectory "
         "({start:s.1} to {end:s.1} s). Give the accuracy file that belongs to the trajectory."
     ),
     "import.points_without_time": N_(
-        "{file}: its points have no times, so it cannot be a line. Export it with the time of "
-        "each point. As it is, it can serve as a reference to check the lines against (Validate "
-        "> Check against a reference…, lispac check)."
+        "{file}: the points have no times, so the file cannot be used as a line. Export it with "
+        "the time of each point. Without times it can only serve as a reference cloud (Validate > "
+        "Check against a reference…, lispac check)."
     ),
     "import.unknown_format": N_(
         "{file}: the format of this file is not recognised. Export it in a format that the "
@@ -85,37 +86,38 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {format} is not a format of a trajectory file. Choose another format."
     ),
     "import.unknown_trajectory_format": N_(
-        "{file}: not recognised as a trajectory file. `lispac look` shows what it may be; "
-        "otherwise give its format."
+        "{file}: the file is not recognised as a trajectory file. Run `lispac look` to see which "
+        "format it may have, or give its format."
     ),
     "import.not_accuracy_format": N_(
         "{file}: {format} is not a format of a trajectory accuracy file. Choose another format."
     ),
     "import.unknown_accuracy_format": N_(
-        "{file}: not recognised as a trajectory accuracy file. `lispac look` shows what it may "
-        "be; otherwise give its format."
+        "{file}: the file is not recognised as a trajectory accuracy file. Run `lispac look` to "
+        "see which format it may have, or give its format."
     ),
     "import.not_line_format": N_(
         "{file}: {format} is not a format of a line file. Choose another format."
     ),
     "import.unknown_line_format": N_(
-        "{file}: not recognised as a line file. `lispac look` shows what it may be; otherwise "
-        "give its format."
+        "{file}: the file is not recognised as a line file. Run `lispac look` to see which format "
+        "it may have, or give its format."
     ),
     "import.origin_too_far": N_(
         "{project}: the origin is {distance:km} km from the trajectory. Give its latitude and "
         "longitude in degrees, or leave it out."
     ),
     "import.no_attribute": N_(
-        "{file}: its points have no attribute {attribute} to split by. They have {known:names}."
+        "{file}: the line cannot be split by {attribute}, because its points have no such "
+        "attribute. Choose one of {known:names}."
     ),
     "import.no_attributes": N_(
-        "{file}: its points have no attribute {attribute} to split by, nor any other."
+        "{file}: the line cannot be split by {attribute}, because its points have no attributes."
     ),
     "import.shift_contradicts_base": N_(
-        "{file}: a time shift of {given:s.3+} s is given, but {needed:s.3+} s bring its times "
-        "from {base} to {trajectory_base}, the time base of the trajectory. Give either the "
-        "shift or the time base."
+        "{file}: a time shift of {given:s.3+} s is given, but the shift from {base} to the time "
+        "base of the trajectory, {trajectory_base}, is {needed:s.3+} s. Give either the shift or "
+        "the time base."
     ),
     # -- time_base -----------------------------------------------------------------------------
     "time_base.gps_week": N_("GPS seconds of the week"),
@@ -132,78 +134,82 @@ TEXTS: Mapping[str, Template] = {
     "time_base.suggested": N_("{base} (as its values suggest)"),
     "time_base.of_file": N_("{base} (as read from the file)"),
     "time_base.not_possible": N_(
-        "{file}: times from {first:s.3} to {last:s.3} s cannot be {base}, as given. Their values "
-        "fit {keys:choices}. Give one of these time bases, or none."
+        "{file}: times from {first:s.3} to {last:s.3} s cannot be in the given time base, {base}. "
+        "Their values fit {keys:choices}. Give one of these time bases, or none."
     ),
     "time_base.no_base_possible": N_(
-        "{file}: times from {first:s.3} to {last:s.3} s cannot be {base}, as given, and they fit "
-        "no known time base. Check which column or field holds the time."
+        "{file}: times from {first:s.3} to {last:s.3} s cannot be in the given time base, {base}, "
+        "and fit no other known time base. Check which column or field contains the time."
     ),
     "time_base.other_trajectory_base": N_(
-        "{file}: read as {base}, none of the points lies within the trajectory, whose times are "
-        "{trajectory_base}. They would with {options:choices}. Check the time base of the "
-        "trajectory, and give it."
+        "{file}: in the time base {base} no point lies within the trajectory, whose times are "
+        "{trajectory_base}. The points lie within it if the time base of the trajectory is "
+        "{options:choices}. Check the time base of the trajectory."
     ),
     "time_base.no_overlap": N_(
-        "{file}: read as {base}, none of the points lies within the trajectory, whose times are "
-        "{trajectory_base}. Give the time base of the times, or the trajectory of the same "
-        "survey."
+        "{file}: in the time base {base} no point lies within the trajectory, whose times are "
+        "{trajectory_base}. Give the time base of the line, or the trajectory of the same survey."
     ),
     # -- times of lines ----------------------------------------------------------------------
-    "import.read_as": N_("{file}: read as {format}, with {options:names}."),
+    "import.read_as": N_("{file}: the file is read as {format}, with {options:names}."),
     "import.base_assumed": N_(
-        "{file}: the file does not state its time base. The times are read in the time base of the "
-        "trajectory, {base}."
+        "{file}: the file does not specify its time base. The times are read in the time base of "
+        "the trajectory, {base}."
     ),
     "import.shift_follows": N_(
-        "{file}: {shift:s.3+} s are added to the times to bring them from {base} to "
+        "{file}: {shift:s.3+} s are added to the times to convert them from {base} to "
         "{trajectory_base}, the time base of the trajectory."
     ),
     "import.leap_seconds_assumed": N_(
-        "{file}: neither the line nor the trajectory states the date, so the leap seconds of today "
-        "({leap:n} s) are used."
+        "{file}: neither the line nor the trajectory specifies the date, so the current number of "
+        "leap seconds ({leap:n} s) is used."
     ),
     "import.other_shifts_fit": N_(
-        "{file}: {shifts:choices} would fit as well. Check the day of the survey."
+        "{file}: the time shifts {shifts:choices} are also possible. Check the day of the survey."
     ),
     "import.other_bases_fit": N_(
-        "{file}: by the times alone, {shifts:choices} would fit as well. Check which time base the "
-        "scanner wrote."
+        "{file}: according to the times, the time shifts {shifts:choices} are also possible. Check "
+        "the time base of the scanner."
     ),
     "import.shifted": N_("{file}: {shift:s.3+} s are added to the times."),
     "import.shift": N_("{shift:s.3+} s"),
     "import.shift_from": N_("{shift:s.3+} s ({base})"),
     "import.times_restart": N_(
-        "{file}: the times restart at {place}, after {last:s.3} s. {period:s.0} s are added to the "
-        "times after it."
+        "{file}: the times restart from zero at {place}, after {last:s.3} s. {period:s.0} s are "
+        "added to the later times."
     ),
     "import.times_after_restart": N_(
-        "{file}: all times are after {place}. {period:s.0} s are added to them."
+        "{file}: all times of the line are after {place}, where the times restart from zero. "
+        "{period:s.0} s are added to them."
     ),
     "rollover.midnight": N_("midnight"),
     "rollover.week_end": N_("the end of the week"),
     "rollover.full_hour": N_("the full hour"),
     # -- files to be imported ----------------------------------------------------------------
-    "import.stopped": N_('{file}: not read because reading was stopped. Press "Read again".'),
-    "import.not_examined": N_("{file}: the file cannot be examined ({kind}: {reason})."),
+    "import.stopped": N_(
+        '{file}: the file was not read, because reading was stopped. Press "Read again".'
+    ),
+    "import.not_examined": N_(
+        "{file}: the file cannot be examined ({kind}: {reason}). Copy or export it again."
+    ),
     "import.already_in_project": N_("{file}: this file is already line {line} of the project."),
     "import.unlikely_format": N_(
-        "{file}: the format is uncertain. It may be {format}; if so, choose its role."
+        "{file}: the format is uncertain. If it is {format}, choose a role for the file."
     ),
     "import.several_trajectories": N_(
-        "{file}: more than one file has the role of the trajectory, but a project has one. Leave "
-        "the others out."
+        "{file}: more than one file has the role of trajectory, but a project has only one. "
+        "Exclude the others."
     ),
     "import.several_accuracies": N_(
-        "{file}: more than one file has the role of the accuracy, but a project has one. Leave "
-        "the others out."
+        "{file}: more than one file has the role of trajectory accuracy, but a project has only "
+        "one. Exclude the others."
     ),
     "import.columns_remembered": N_(
-        "{file}: the columns are those chosen for the last file with the same layout."
+        "{file}: the columns chosen for the last file with the same layout are used."
     ),
     "import.columns_not_chosen": N_(
-        "{file}: no column is assigned to {columns:names}. Choose above the preview what each "
-        "column is."
+        "{file}: no column is assigned to {columns:names}. Choose the meaning of each column above "
+        "the preview."
     ),
     "column.time": N_("time"),
     "column.x": N_("X coordinate"),
@@ -215,44 +221,46 @@ TEXTS: Mapping[str, Template] = {
     "column.pitch": N_("pitch"),
     "column.heading": N_("heading"),
     "import.first_times": N_(
-        "{file}: the file is long. The first {count:n} times were checked; the others are checked "
-        "when the project is created."
+        "{file}: only the first {count:n} times of this long file were checked. The other times "
+        "are checked when the project is created."
     ),
     "import.accuracy_too_short": N_(
         "{file}: the accuracies cover {first:s.1} to {last:s.1} s, not the whole trajectory "
-        "({start:s.1} to {end:s.1} s). Outside, the first and last values are used."
+        "({start:s.1} to {end:s.1} s). Before and after them, the first and last values are used."
     ),
     "import.outside_system": N_(
-        "{file}: the points lie outside {system}. Choose the coordinate system of the points."
+        "{file}: the points lie outside the area of {system}. Choose the coordinate system of the "
+        "points."
     ),
     "import.far_from_trajectory": N_(
         "{file}: in {system} the points lie {distance:km.0} km from the trajectory. Choose the "
         "coordinate system of the points."
     ),
     "import.points_outside": N_(
-        "{file}: {share:percent} % of the points lie before or after the trajectory. They are "
-        "excluded."
+        "{file}: {share:percent} % of the points were recorded before or after the trajectory. "
+        "They are excluded."
     ),
     "import.points_outside_sampled": N_(
-        "{file}: about {share:percent} % of the points lie before or after the trajectory. They "
-        "are excluded."
+        "{file}: about {share:percent} % of the points were recorded before or after the "
+        "trajectory. They are excluded."
     ),
     "import.points_in_gaps": N_(
-        "{file}: {share:percent} % of the points lie in gaps of the trajectory longer than "
-        "{limit:s.1} s. They are excluded."
+        "{file}: {share:percent} % of the points were recorded in gaps of the trajectory longer "
+        "than {limit:s.1} s. They are excluded."
     ),
     "import.points_in_gaps_sampled": N_(
-        "{file}: about {share:percent} % of the points lie in gaps of the trajectory longer than "
-        "{limit:s.1} s. They are excluded."
+        "{file}: about {share:percent} % of the points were recorded in gaps of the trajectory "
+        "longer than {limit:s.1} s. They are excluded."
     ),
     "import.shift_offered": N_(
         "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "
-        "within the trajectory. Check whether the scanner wrote {base}."
+        "within the trajectory. Check whether the times of the scanner are {base}."
     ),
     "import.outside_with_shift": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
         "{start:s.1} to {end:s.1} s). If the points are in {points} and the trajectory in "
-        "{trajectory}, add {shift:s.3+} s: then {share:percent.1} % of the points lie within it."
+        "{trajectory}, add {shift:s.3+} s to the times: {share:percent.1} % of the points then lie "
+        "within it."
     ),
     "import.outside_without_shift": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
@@ -262,37 +270,38 @@ TEXTS: Mapping[str, Template] = {
     "import.before_trajectory": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
         "{start:s.1} to {end:s.1} s). The line ends {distance:s.0} s before the trajectory starts, "
-        "and no known time base brings it inside. Give the trajectory of the same survey, or leave "
-        "the line out."
+        "and no other known time base fits. Give the trajectory of the same survey, or exclude the "
+        "line."
     ),
     "import.after_trajectory": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
         "{start:s.1} to {end:s.1} s). The line starts {distance:s.0} s after the trajectory ends, "
-        "and no known time base brings it inside. Give the trajectory of the same survey, or leave "
-        "the line out."
+        "and no other known time base fits. Give the trajectory of the same survey, or exclude the "
+        "line."
     ),
     "import.outside_with_shifts": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
         "{start:s.1} to {end:s.1} s). If the points are in {points} and the trajectory in "
-        "{trajectory}, add {shift:s.3+} s: then {share:percent.1} % of the points lie within it. "
-        "By the times alone, {shifts:choices} would fit as well. Give the time base of the points."
+        "{trajectory}, add {shift:s.3+} s to the times: {share:percent.1} % of the points then lie "
+        "within it. According to the times, {shifts:choices} is also possible. Give the time base "
+        "of the points."
     ),
     "import.nowhere_on_trajectory": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
-        "{start:s.1} to {end:s.1} s), or all lie in its gaps. Check the trajectory and the time "
-        "base, or leave the line out."
+        "{start:s.1} to {end:s.1} s), or all points lie in its gaps. Check the trajectory and the "
+        "time base, or exclude the line."
     ),
     "import.excluded_outside": N_(
-        "{file}: {count:n} of {total:n} points lie before or after the trajectory. They are "
-        "excluded."
+        "{file}: {count:n} of {total:n} points were recorded before or after the trajectory. They "
+        "are excluded."
     ),
     "import.excluded_in_gaps": N_(
-        "{file}: {count:n} of {total:n} points lie in gaps of the trajectory longer than "
+        "{file}: {count:n} of {total:n} points were recorded in gaps of the trajectory longer than "
         "{limit:s.1} s. They are excluded."
     ),
     "import.excluded_steep": N_(
-        "{file}: {count:n} of {total:n} points were measured at a pitch beyond 80 deg, where roll "
-        "and heading cannot be separated. They are excluded."
+        "{file}: {count:n} of {total:n} points were recorded at a pitch above 80 deg, at which "
+        "roll and heading cannot be separated. They are excluded."
     ),
     "import.shift_possible": N_(
         "{file}: with {shift:s.3+} s added to the times, {share:percent.1} % of the points lie "
@@ -300,26 +309,26 @@ TEXTS: Mapping[str, Template] = {
         "import the line again with this time shift."
     ),
     "import.restart_found": N_(
-        "{file}: the times restart at {place} within the line. Import the line again with the "
-        "option {option}."
+        "{file}: the times restart from zero at {place} within the line. Import the line again "
+        "with the option {option}."
     ),
     "import.restart_not_needed": N_(
         "{file}: without the time rollover, {share:percent.1} % of the points lie within the "
-        "trajectory. If the times of the trajectory restart too, import the line again with the "
-        "option {option}."
+        "trajectory. If the times of the trajectory restart from zero too, import the line again "
+        "with the option {option}."
     ),
     "import.file_gone": N_(
-        "{file}: this file no longer exists. {line} is used as it was imported from it."
+        "{file}: this file no longer exists. The imported data of line {line} are used."
     ),
     # -- import --------------------------------------------------------------------------------
     "import.shift_not_needed": N_(
-        "{file}: shifted by {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) lie "
-        "outside the trajectory ({start:s.1} to {end:s.1} s). Without the shift they lie "
+        "{file}: with the time shift of {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) "
+        "lie outside the trajectory ({start:s.1} to {end:s.1} s). Without the shift they lie "
         "inside. Check the shift."
     ),
     "import.shift_wrong": N_(
-        "{file}: shifted by {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) lie "
-        "outside the trajectory ({start:s.1} to {end:s.1} s). Give another shift, or leave the "
-        "line out."
+        "{file}: with the time shift of {shift:s.3+} s, its points ({first:s.1} to {last:s.1} s) "
+        "lie outside the trajectory ({start:s.1} to {end:s.1} s). Give another shift, or exclude "
+        "the line."
     ),
 }

@@ -32,26 +32,35 @@ TEXTS: Mapping[str, Template] = {
     "item.latency": N_("latency {value:ms.4+} ms"),
     # -- sightings and targets ---------------------------------------------------------------
     "item.sighting": N_("{target} on line {line}"),
-    "item.sighting_shifted": N_("{target} on line {line} (off by {shift:mm.1} mm, w {w:x.1+})"),
+    "item.sighting_shifted": N_(
+        "{target} on line {line} (displaced by {shift:mm.1} mm, test value w = {w:x.1+})"
+    ),
     "item.sighting_angles": N_("{target} on line {line} ({angles:names})"),
     "item.share_of_points": N_("{share:percent.0} % of the points of {target}"),
     "item.points_in_common": N_("{one} with {other} ({share:percent.0} % on {line})"),
-    "item.apart": N_("{distance:mm.0} mm and {angle:deg.2} deg at {inclination:deg.0} deg"),
-    "item.other_surface": N_("{line} ({places:n} of {total:n} places, {distance:m.2} m away)"),
+    "item.apart": N_(
+        "{distance:mm.0} mm and {angle:deg.2} deg at an inclination of {inclination:deg.0} deg"
+    ),
+    "item.other_surface": N_("{line} (at {places:n} of {total:n} places, {distance:m.2} m away)"),
     "item.mean_distance": N_("{name} ({mean:mm.1+} mm, ± {interval:mm.1} mm)"),
     # -- angles ------------------------------------------------------------------------------
     "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
     "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),
     "item.angle_difference": N_("{angle} {difference:deg.2+} deg"),
-    "item.angle_changed": N_("{angle} by {change:deg.3+} deg ({ratio:x.1} of its sigmas)"),
+    "item.angle_changed": N_(
+        "{angle} by {change:deg.3+} deg ({ratio:x.1} times its standard deviation)"
+    ),
     "item.without_line": N_(
-        "without line {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+        "without line {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} times its standard "
+        "deviation)"
     ),
     "item.without_target": N_(
-        "without target {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+        "without target {name} ({angle} {difference:deg.4+} deg, {ratio:x.1} times its standard "
+        "deviation)"
     ),
     "item.halves": N_(
-        "first minus second half ({angle} {difference:deg.4+} deg, {ratio:x.1} of its sigmas)"
+        "first half minus second half of the data ({angle} {difference:deg.4+} deg, {ratio:x.1} "
+        "times its standard deviation)"
     ),
     "suspect.heights": N_("heights"),
     "suspect.time": N_("time"),
@@ -61,21 +70,21 @@ TEXTS: Mapping[str, Template] = {
     # -- causes of residuals -----------------------------------------------------------------
     "cause.larger": N_("{parameter} larger by {amount}"),
     "cause.smaller": N_("{parameter} smaller by {amount}"),
-    "cause.line_boresight": N_("another boresight of line {line}"),
-    "cause.line_position": N_("position on line {line} off by {shift:mm.1} mm"),
+    "cause.line_boresight": N_("different boresight angles on line {line}"),
+    "cause.line_position": N_("position error of {shift:mm.1} mm on line {line}"),
     "cause.times_early": N_("point times of line {line} {offset:ms.2} ms early"),
     "cause.times_late": N_("point times of line {line} {offset:ms.2} ms late"),
     "cause.sighting_surface": N_("another surface instead of {target} on line {line}"),
-    "cause.target_surface": N_("target {target} not one flat surface"),
-    "cause.sighting_shift": N_("target {target} off by {shift:mm.1} mm on line {line}"),
+    "cause.target_surface": N_("target {target} is not one flat surface"),
+    "cause.sighting_shift": N_("target {target} displaced by {shift:mm.1} mm on line {line}"),
     "cause.several_scanners": N_("points of several scanners in one line"),
     "cause.several_sources": N_("points of several sources in one line"),
-    "cause.same_time": N_("lines with points of the same time"),
-    "cause.time_resolution": N_("coarse point times"),
-    "cause.height_offset": N_("an offset of the heights"),
-    "cause.time_offset": N_("an offset of the point times"),
-    "cause.lever_arm": N_("another lever arm used for the cloud"),
+    "cause.same_time": N_("several lines recorded at the same time"),
+    "cause.time_resolution": N_("point times of low resolution"),
+    "cause.height_offset": N_("a constant error of the heights"),
+    "cause.time_offset": N_("a constant error of the point times"),
+    "cause.lever_arm": N_("a cloud computed with another lever arm"),
     "cause.attitude_sign": N_("a wrong sign of the attitude"),
-    "cause.off_the_beams": N_("points that do not lie on the beams of the scanner"),
-    "cause.rate_too_low": N_("a trajectory with too few states"),
+    "cause.off_the_beams": N_("recovered points that do not lie on the scanner beams"),
+    "cause.rate_too_low": N_("a trajectory with too low a rate"),
 }

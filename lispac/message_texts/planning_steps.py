@@ -7,8 +7,8 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- cluster -------------------------------------------------------------------------------
     "cluster.not_installed": N_(
-        "Campaigns on several computers need the package distributed. Run python -m pip install "
-        "-e '.[cluster]' in the checkout, on this computer and on the workers."
+        "Simulation campaigns on several computers need the Python package distributed. Run python "
+        "-m pip install -e '.[cluster]' in the checkout, on this computer and on the workers."
     ),
     "cluster.no_scheduler": N_(
         "{address}: no scheduler answered within {limit:s.0} s. Start one with `dask "
@@ -35,17 +35,18 @@ TEXTS: Mapping[str, Template] = {
         "{expected} there, as on this computer."
     ),
     "cluster.late_worker_version": N_(
-        "A worker that joined later runs LISPAC {version}, but the campaign was started with "
-        "{expected}. Install the same version on all computers."
+        "A worker that joined during the campaign runs LISPAC {version}, but the campaign was "
+        "started with {expected}. Install the same version on all computers."
     ),
     "cluster.worker_lost_repeatedly": Plural(
-        "{address}: one calculation ended its worker {times:n} times. The worker has too little "
-        "memory or is stopped from outside.",
-        "{address}: the same {count:n} calculations ended their worker {times:n} times. The "
-        "worker has too little memory or is stopped from outside.",
+        "{address}: one calculation terminated its worker {times:n} times. The worker has too "
+        "little memory or was stopped by another program. Start the campaign with fewer processes.",
+        "{address}: the same {count:n} calculations terminated their worker {times:n} times. The "
+        "worker has too little memory or was stopped by another program. Start the campaign with "
+        "fewer processes.",
     ),
     "cluster.no_workers_left": N_(
-        "{address}: no workers are left. Start them and the campaign again."
+        "{address}: all workers have stopped. Start them and the campaign again."
     ),
     "cluster.connection_lost": N_(
         "{address}: the connection to the scheduler or its workers was lost. Start the campaign "
@@ -56,13 +57,13 @@ TEXTS: Mapping[str, Template] = {
         "tls://192.168.1.20:8786."
     ),
     "cluster.plain_tcp_refused": N_(
-        "{address}: TCP is neither encrypted nor authenticated, so others in the network could "
-        "run programs on this computer and on the workers. Use TLS certificates and tls://, or "
-        "accept the risk with --plain-tcp."
+        "{address}: TCP is neither encrypted nor authenticated, so other users of the network "
+        "could run programs on this computer and on the workers. Use TLS certificates and tls://, "
+        "or accept the risk with --plain-tcp."
     ),
     "cluster.no_certificates": N_(
-        "{address}: TLS needs certificates. Give them with --cluster-tls CA CERTIFICATE KEY, or "
-        "in the configuration of dask."
+        "{address}: TLS needs certificates. Give them with --cluster-tls CA CERTIFICATE KEY, or in "
+        "the configuration of Dask."
     ),
     "cluster.unusable_certificates": N_(
         "{address}: the TLS certificates cannot be used ({reason}). Check the files of the "
@@ -70,31 +71,35 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- plan_survey ---------------------------------------------------------------------------
     "plan_survey.process_ended": N_(
-        "A process of this run was ended from outside, perhaps for lack of memory. Close other "
-        "programs or use fewer processes (--workers), and start again."
+        "A process of this calculation was terminated by the system, perhaps for lack of memory. "
+        "Close other programs or use fewer processes (--workers), and start again."
     ),
     "plan_survey.one_orientation": N_(
-        "All targets face the same way, so the adjustment refuses them. Add a target with a "
-        "different inclination."
+        "All targets have the same orientation, which the adjustment does not accept. Add a target "
+        "with a different inclination."
     ),
     "plan_survey.folder_not_created": N_(
         "{folder}: this folder cannot be created ({reason}). Choose another folder."
     ),
     "plan_survey.no_target_measured": N_(
-        "{project} has no target of this plan. Targets are matched by name ({targets:names}), "
-        "lines by heading."
+        "{project} contains no target of this survey plan. Targets are matched by name "
+        "({targets:names}), lines by heading."
     ),
     "plan_survey.no_line_measured": N_(
-        "{project} has no line of this plan. Targets are matched by name ({targets:names}), "
-        "lines by heading."
+        "{project} contains no line of this survey plan. Targets are matched by name "
+        "({targets:names}), lines by heading."
     ),
     # -- simulate ------------------------------------------------------------------------------
     "simulate.line_without_points": N_(
-        "Line {line} sees nothing of the scene. Move its course closer, or widen the angular "
-        "window of the scanner."
+        "No surface of the scene is visible from line {line}. Move its course closer, or widen the "
+        "angular window of the scanner."
     ),
-    "simulate.folder_is_file": N_("{folder} is a file. Choose a folder for the simulated survey."),
-    "simulate.folder_in_use": N_("{folder}: this folder holds other files. Choose a new one."),
+    "simulate.folder_is_file": N_(
+        "{folder} is a file, not a folder. Choose a folder for the simulated survey."
+    ),
+    "simulate.folder_in_use": N_(
+        "{folder}: this folder contains other files. Choose a new folder."
+    ),
     "simulate.no_scene": N_(
         "There is no scene named {name}. Give one of {known:names}, or a file that ends in .toml."
     ),
@@ -105,21 +110,24 @@ TEXTS: Mapping[str, Template] = {
         "There is no scanner named {name}. Give one of {known:names}, or a file that ends in .toml."
     ),
     "simulate.no_trajectory": N_(
-        "{file}: the lines have start_s, so a recorded trajectory is needed. Give --trajectory, "
-        "or trajectory in the scene."
+        "{file}: the lines are defined by start_s, so a recorded trajectory is needed. Give it "
+        "with --trajectory, or as trajectory in the scene file."
     ),
-    "simulate.no_origin": N_("{file}: [origin] is missing. Give the position of the scene."),
+    "simulate.no_origin": N_(
+        "{file}: the table [origin] is missing. Add it with the position of the scene."
+    ),
     "simulate.too_long": N_(
-        "{file}: with {vessel} the survey takes {duration:h.0} h, and no more than {limit:h.0} "
-        "h are simulated. Correct run_in_m and run_out_m, or speed_m_s, transit_s and wait_s of "
-        "the vessel."
+        "{file}: with {vessel} the survey takes {duration:h.0} h, but at most {limit:h.0} h can be "
+        "simulated. Correct run_in_m and run_out_m, or speed_m_s, transit_s and wait_s of the "
+        "vessel."
     ),
     "simulate.lines_by_heading": N_(
-        "{file}: the lines are headings to be sailed, so {trajectory} cannot be replayed. Give "
-        "each of its [[lines]] start_s, stop_s and side instead, in the time of the trajectory."
+        "{file}: the lines are defined by headings, so the recorded trajectory {trajectory} cannot "
+        "be used. Define each of the [[lines]] by start_s, stop_s and side, in the time of the "
+        "trajectory."
     ),
     "simulate.origin_too_far": N_(
-        "{file}: the origin of the scene is {distance:km} km from {trajectory}. Correct "
-        "[origin], or leave it out to use the mean of the trajectory."
+        "{file}: the origin of the scene is {distance:km} km from {trajectory}. Correct [origin], "
+        "or omit it to use the mean position of the trajectory."
     ),
 }

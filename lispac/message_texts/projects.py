@@ -7,8 +7,8 @@ from lispac.language import N_, Template
 TEXTS: Mapping[str, Template] = {
     # -- files of a project --------------------------------------------------------------------
     "project.not_found": N_(
-        "{folder}: this folder contains no project ({missing} is missing). Choose the folder of a "
-        "project."
+        "{folder}: this folder does not contain a project ({missing} is missing). Choose the "
+        "folder of a project."
     ),
     "project.exists": N_("{folder}: the folder already contains a project. Choose another folder."),
     "project.changed_on_disk": N_(
@@ -20,8 +20,8 @@ TEXTS: Mapping[str, Template] = {
         "finished, then try again."
     ),
     "lock.not_a_file": N_(
-        "{file}: a link or a folder has the name of the program's lock file. Nothing was changed. "
-        "Remove it, then try again."
+        "{file}: the lock file of the project is a link or a folder instead of a file. Nothing was "
+        "changed. Remove it, then try again."
     ),
     "project.unreadable": N_(
         "{file}: the project file cannot be read ({reason}). Check the disk and the permissions."
@@ -35,16 +35,16 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the project file is damaged. {reason} Restore the file from a copy."
     ),
     "project.points_missing": N_(
-        "{file}: the file with the points of target {target} is missing. Restore it from a copy of "
-        "the project, or make the project again."
+        "{file}: the file with the points of target {target} is missing. Restore the file from a "
+        "copy of the project, or create the project again."
     ),
     "project.points_damaged": N_(
         "{file}: the points of target {target} are damaged. {reason} Restore the file from a copy "
-        "of the project, or make the project again."
+        "of the project, or create the project again."
     ),
     "project.former_text": N_("{reason}"),
     "project.not_estimated": N_(
-        "{project}: the boresight angles have not been estimated. Run the estimate first."
+        "{project}: the boresight angles have not been estimated. Run Estimate first."
     ),
     "project.no_target": N_(
         "{project}: the project has no target or validation plane named {name}. Check the name."
@@ -59,51 +59,49 @@ TEXTS: Mapping[str, Template] = {
         "another name."
     ),
     "target.plane_with_radius": N_(
-        "{target}: a radius is given, but the target is a plane. Remove the radius, or choose the "
-        "shape sphere."
+        "{target}: a plane cannot have a radius. Remove the radius, or choose the shape sphere."
     ),
     "target.invalid_radius": N_(
         "{target}: a sphere radius of {radius:m} m is not possible. Give a radius larger than 0 m, "
         "or none if it is unknown."
     ),
     "target.validation_sphere": N_(
-        "{target}: a sphere cannot be used for validation, because lines are compared on planes "
-        "only. Use the sphere as a target."
+        "{target}: a sphere cannot be used for validation, because only planes are compared "
+        "between lines. Use the sphere as a target."
     ),
     # -- settings ------------------------------------------------------------------------------
-    "settings.not_finite": N_("{setting}: the value is not a finite number. Correct it."),
+    "settings.not_finite": N_("{setting}: the value is NaN or infinite. Correct it."),
     "settings.parameter_sigma_out_of_range": N_(
-        "The standard deviation of the prior value of {name} is too small or too large for any "
-        "survey. Correct the value."
+        "The standard deviation of the prior {name} is not plausible for a survey. Correct it."
     ),
     "project.cannot_be_read_again": N_(
-        "The project was not saved, because it could not be opened again: {reason} Undo the last "
-        "change, or correct the value."
+        "The project was not saved, because the saved file could not be opened again: {reason} "
+        "Undo the last change, or correct the value."
     ),
     "settings.length_out_of_range": N_(
-        "{setting}: {value:m} m is outside the possible range, {least:m} to {most:m} m. Correct "
+        "{setting}: {value:m} m is outside the allowed range from {least:m} to {most:m} m. Correct "
         "the value."
     ),
     "settings.angle_out_of_range": N_(
-        "{setting}: {value:deg} deg is outside the possible range, {least:deg} to {most:deg} deg. "
-        "Correct the value."
+        "{setting}: {value:deg} deg is outside the allowed range from {least:deg} to {most:deg} "
+        "deg. Correct the value."
     ),
     "settings.time_out_of_range": N_(
-        "{setting}: {value:s} s is outside the possible range, {least:s} to {most:s} s. Correct "
+        "{setting}: {value:s} s is outside the allowed range from {least:s} to {most:s} s. Correct "
         "the value."
     ),
     "settings.negative": N_(
         "A standard deviation or the point spacing is negative. Give values of zero or more."
     ),
     "settings.unknown_pos_errors": N_(
-        "{name} is not a model of POS errors. Choose {known:choices}."
+        "There is no POS error model {name}. Choose {known:choices}."
     ),
     "settings.zero_lidar_sigma": N_(
         "A LiDAR standard deviation is zero or negative. Give values larger than zero."
     ),
     "settings.two_lidar_sigmas": N_(
-        "The LiDAR standard deviations are given both along x, y, z and for range and angle. Give "
-        "one of the two."
+        "The LiDAR standard deviations are given both along x, y, z and in range and angle. Give "
+        "only one of the two sets."
     ),
     "settings.zero_correlation_time": N_(
         "A correlation time of the POS errors is zero or negative. Give times longer than 0 s."
@@ -113,7 +111,7 @@ TEXTS: Mapping[str, Template] = {
         "The longest trajectory gap to interpolate is zero or negative. Give a time longer than 0 "
         "s."
     ),
-    "settings.unknown_loss": N_("{name} is not a robust loss function. Choose {known:choices}."),
+    "settings.unknown_loss": N_("There is no robust loss function {name}. Choose {known:choices}."),
     "settings.latency_too_large": N_(
         "A latency of {value:s} s is larger than the limit of 10 s. Check the value and its unit."
     ),
@@ -122,24 +120,24 @@ TEXTS: Mapping[str, Template] = {
         "unit."
     ),
     "settings.unknown_parameter": N_(
-        "{name} is not a parameter that can be estimated. Choose {known:choices}."
+        "{name} is not a parameter of the adjustment. Choose {known:choices}."
     ),
     "settings.zero_parameter_sigma": N_(
         "The standard deviation of {name} is zero or negative. Give a value larger than zero."
     ),
     "settings.parameter_twice": N_(
-        "A parameter to be estimated is named twice. Name each parameter once."
+        "A parameter to be estimated is given twice. Give each parameter once."
     ),
     "settings.boresight_too_large": N_(
-        "A prior boresight angle of {value:deg} deg is larger than 360 deg. Give the angles in "
+        "A prior boresight angle of {value:deg} deg exceeds 360 deg. Check that the angles are in "
         "degrees."
     ),
     "settings.lever_arm_too_long": N_(
-        "A lever arm of {length:m} m is longer than the limit of 100 m. Give the lever arm in "
+        "A lever arm of {length:m} m exceeds the limit of 100 m. Check that the lever arm is in "
         "metres."
     ),
     "settings.latitude_out_of_range": N_(
-        "The latitude of the origin is {latitude:deg} deg, beyond 90 deg. Give latitude and "
+        "The latitude of the origin, {latitude:deg} deg, exceeds 90 deg. Give latitude and "
         "longitude in degrees, then the height in metres."
     ),
     # -- names of settings, before a colon -----------------------------------------------------
@@ -164,7 +162,7 @@ TEXTS: Mapping[str, Template] = {
         "remarks."
     ),
     "identity.not_printable": N_(
-        "{field}: the text contains a character that cannot be printed. Type the text again."
+        "{field}: the text contains a character that cannot be printed. Enter the text again."
     ),
     "identity.too_long": N_(
         "{field}: the text has {held:n} characters, but at most {longest:n} are allowed. Shorten "

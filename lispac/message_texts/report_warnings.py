@@ -7,44 +7,47 @@ from lispac.language import N_, Plural, Template
 TEXTS: Mapping[str, Template] = {
     # -- calibration -------------------------------------------------------------------------
     "report.not_calibrated": N_(
-        "Not calibrated: no boresight has been estimated. The angles in this report are the prior "
-        "ones, and nothing is known about their uncertainty."
+        "The boresight has not been estimated, so the system is not calibrated. The angles in this "
+        "report are the prior angles; their uncertainty is unknown."
     ),
     "report.simulated": N_(
-        "The survey is simulated. Its boresight was set by the program and says nothing about a "
+        "The survey is simulated. Its boresight was chosen by the program and does not describe a "
         "real system."
     ),
     "report.truth_outside": N_(
-        "The true value lies outside the 95 % confidence interval of {angles:names}."
+        "The true values of these angles lie outside their 95 % confidence intervals: "
+        "{angles:names}."
     ),
     "report.no_redundancy": N_(
-        "There are no more points than unknowns, so nothing checks the result."
+        "The adjustment has no redundancy (no more points than unknowns), so errors in the data "
+        "cannot be detected."
     ),
     "report.chi_square_high": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
-        "allow. Correct these, or look for outliers."
+        "allow. Correct the standard deviations, or look for outliers."
     ),
     "report.chi_square_high_noise": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
-        "allow. The standard deviations of the angles are computed with the noise found. Correct "
-        "the given ones, or look for outliers."
+        "allow. The standard deviations of the angles are computed with the larger noise. Correct "
+        "the given standard deviations, or look for outliers."
     ),
     "report.chi_square_high_classical": N_(
         "The chi-square test failed: the residuals are larger than the given standard deviations "
-        "allow, and the standard deviations of the angles are too small."
+        "allow, so the standard deviations of the angles are too small. Correct the given standard "
+        "deviations, or look for outliers."
     ),
     "report.chi_square_low": N_(
-        "The chi-square test failed: the residuals are smaller than expected from the given "
-        "standard deviations. If there is no other warning, the standard deviations of the angles "
-        "are too large rather than too small."
+        "The chi-square test failed: the residuals are smaller than the given standard deviations "
+        "predict. Unless there is another warning, the standard deviations of the angles are "
+        "probably too large."
     ),
     "report.parameter_not_seen": N_(
-        "Not estimated ({parameter}): {reason} Turn its estimation off."
+        "The {parameter} was not estimated. {reason} Do not estimate it."
     ),
-    "report.parameter_not_seen_uncertain": N_("Not estimated ({parameter}): {reason}"),
+    "report.parameter_not_seen_uncertain": N_("The {parameter} was not estimated. {reason}"),
     "report.parameter_not_significant": N_(
         "The estimated change of the {parameter} ({change}) is not significant. Use the given "
-        "value and turn its estimation off."
+        "value and do not estimate it."
     ),
     # -- targets and sightings ---------------------------------------------------------------
     "report.left_out_target": N_("Target {target} is excluded."),
@@ -52,10 +55,12 @@ TEXTS: Mapping[str, Template] = {
     "report.left_out_target_on_lines": N_("Target {target} is excluded on {lines:names}."),
     "report.left_out_plane_on_lines": N_("Validation plane {target} is excluded on {lines:names}."),
     "report.target_on_no_line": N_(
-        "Target {target} is used on none of {total:n} lines, so it has no effect on the boresight."
+        "Target {target} is not used on any of the {total:n} lines, so it has no effect on the "
+        "boresight."
     ),
     "report.plane_on_no_line": N_(
-        "Validation plane {target} is used on none of {total:n} lines, so it cannot be compared."
+        "Validation plane {target} is not used on any of the {total:n} lines, so it cannot be "
+        "compared."
     ),
     "report.plane_on_one_line": N_(
         "Validation plane {target} is used on only one of {total:n} lines ({line}), so it cannot "
@@ -80,57 +85,62 @@ TEXTS: Mapping[str, Template] = {
         "gives the reasons.",
     ),
     "report.sightings": N_(
-        "Sightings used: {total:n}, of which poor: {poor:n}, doubtful: {doubtful:n}. The worst is "
-        "{target} on {line}: {reasons:sentences} See the section on the quality of the sightings."
+        "{total:n} sightings are used, including {poor:n} poor and {doubtful:n} doubtful ones. The "
+        "worst is {target} on {line}: {reasons:sentences} See the section on the quality of the "
+        "sightings."
     ),
     # -- validation --------------------------------------------------------------------------
     "report.not_validated": N_(
-        "Not validated: no validation plane has been compared between the lines."
+        "The calibration is not validated, because no validation plane has been compared between "
+        "the lines."
     ),
-    "report.not_compared": N_("Not compared: {reason}"),
+    "report.not_compared": N_("A validation plane could not be compared. {reason}"),
     "report.validation_worse": N_(
-        "On validation plane {target} the lines lie farther apart after the calibration (RMS "
-        "{after:mm.1} mm) than before ({before:mm.1} mm)."
+        "On validation plane {target} the distances between the lines are larger after the "
+        "calibration (RMS {after:mm.1} mm) than before ({before:mm.1} mm)."
     ),
-    "report.methods_differ": N_("Alternative method: {reason}"),
+    "report.methods_differ": N_("Comparison with an alternative method: {reason}"),
     "report.absolute_nearer": N_(
-        "After the calibration all lines together lie {mean:mm.1} mm nearer to the vessel than the "
-        "reference on average, ± {interval:mm.1} mm (95 %). This is more than reference, POS and "
-        "boresight explain."
+        "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
+        "%) nearer to the vessel than the reference. The uncertainties of reference, POS and "
+        "boresight do not explain this difference."
     ),
     "report.absolute_farther": N_(
-        "After the calibration all lines together lie {mean:mm.1} mm farther from the vessel than "
-        "the reference on average, ± {interval:mm.1} mm (95 %). This is more than reference, POS "
-        "and boresight explain."
+        "After the calibration the lines are on average {mean:mm.1} mm (± {interval:mm.1} mm, 95 "
+        "%) farther from the vessel than the reference. The uncertainties of reference, POS and "
+        "boresight do not explain this difference."
     ),
     "report.absolute_rms": N_(
-        "Against the reference, the distances have an RMS of {rms:mm.1} mm after the calibration, "
+        "The distances to the reference have an RMS of {rms:mm.1} mm after the calibration, "
         "{factor:x.1} times the {expected:mm.1} mm expected from reference, POS and boresight. See "
         "the section on the absolute check."
     ),
     "report.absolute_line_off": Plural(
-        "After the calibration {count:n} of {total:n} lines is off by more than its errors "
-        "explain, positive towards the vessel: {lines:names}.",
-        "After the calibration {count:n} of {total:n} lines are off by more than their errors "
-        "explain, positive towards the vessel: {lines:names}.",
+        "After the calibration {count:n} of {total:n} lines deviates from the reference by more "
+        "than its uncertainty explains (positive towards the vessel): {lines:names}.",
+        "After the calibration {count:n} of {total:n} lines deviate from the reference by more "
+        "than their uncertainty explains (positive towards the vessel): {lines:names}.",
     ),
     "report.absolute_line_off_by_chance": Plural(
-        "After the calibration {count:n} of {total:n} lines is off by more than its errors "
-        "explain, positive towards the vessel: {lines:names}. One in twenty is by chance.",
-        "After the calibration {count:n} of {total:n} lines are off by more than their errors "
-        "explain, positive towards the vessel: {lines:names}. One in twenty is by chance.",
+        "After the calibration {count:n} of {total:n} lines deviates from the reference by more "
+        "than its uncertainty explains (positive towards the vessel): {lines:names}. One line in "
+        "twenty is expected to do so by chance.",
+        "After the calibration {count:n} of {total:n} lines deviate from the reference by more "
+        "than their uncertainty explains (positive towards the vessel): {lines:names}. One line "
+        "in twenty is expected to do so by chance.",
     ),
     "report.absolute_point_off": N_(
-        "After the calibration the mean of the lines deviates from {count:n} of {total:n} surveyed "
-        "points or planes by more than reference, POS and boresight explain, positive towards the "
-        "vessel: {points:names}."
+        "After the calibration the lines deviate on average from {count:n} of {total:n} surveyed "
+        "points or planes by more than the uncertainties of reference, POS and boresight explain "
+        "(positive towards the vessel): {points:names}."
     ),
     "report.absolute_point_off_by_chance": N_(
-        "After the calibration the mean of the lines deviates from {count:n} of {total:n} surveyed "
-        "points or planes by more than reference, POS and boresight explain, positive towards the "
-        "vessel: {points:names}. One in twenty is by chance."
+        "After the calibration the lines deviate on average from {count:n} of {total:n} surveyed "
+        "points or planes by more than the uncertainties of reference, POS and boresight explain "
+        "(positive towards the vessel): {points:names}. One in twenty is expected to do so by "
+        "chance."
     ),
     "report.file_missing": N_(
-        "The size and digest of {files:names} could not be read. Check that the files are there."
+        "The size and checksum of {files:names} could not be read. Check that these files exist."
     ),
 }

@@ -8,19 +8,20 @@ TEXTS: Mapping[str, Template] = {
     # -- times -------------------------------------------------------------------------------
     "trajectory.no_time_base": N_(
         "{file}: times from {start:s} to {end:s} s fit no known time base. Check which column or "
-        "field holds the time."
+        "field contains the time."
     ),
     "trajectory.other_time_base": N_(
         "{file}: times from {start:s} to {end:s} s cannot be in the time base {base}. Choose "
         "{bases:choices}."
     ),
     "trajectory.dates": N_(
-        "{file}: the rows have a date, so the times are UTC or GPS seconds and not in the time "
-        "base {base}. Choose unix (UTC) or gps-full (GPS)."
+        "{file}: the rows contain dates, so the times cannot be in the time base {base}. Choose "
+        "unix (UTC) or gps-full (GPS)."
     ),
     # -- values of states --------------------------------------------------------------------
     "trajectory.one_row": N_(
-        "{file}: the file has one row, but a trajectory needs at least two. Export more."
+        "{file}: the file has only one row, but a trajectory needs at least two. Export the whole "
+        "trajectory."
     ),
     "trajectory.height_in_row": N_(
         "{file}, row {number:n}: a height of {height:m} m is impossible. Check the columns and "
@@ -41,84 +42,85 @@ TEXTS: Mapping[str, Template] = {
         "check the columns."
     ),
     "trajectory.negative_sigma": N_(
-        "{file}, row {row:n}: a standard deviation is negative. Check that the column holds "
+        "{file}, row {row:n}: a standard deviation is negative. Check that the column contains "
         "standard deviations, or export the file again."
     ),
     "trajectory.exchanged_position": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
-        "not on Earth. They may be exchanged: name the two columns the other way round."
+        "impossible. They may be swapped. Check the order of the two columns."
     ),
     "trajectory.position_in_degrees": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
-        "not on Earth. The file has degrees, which were read as radians: choose degrees."
+        "impossible. The values are in degrees but were read as radians: choose degrees."
     ),
     "trajectory.not_on_earth": N_(
         "{file}, row {row:n}: latitude {latitude:deg.3} and longitude {longitude:deg.3} deg are "
-        "not on Earth. Check the columns and their unit."
+        "impossible. Check the columns and their unit."
     ),
     "trajectory.sign_and_hemisphere": N_(
-        "{file}, row {row:n}: the {role} has both a minus sign and a hemisphere. Export one of "
-        "them, or name the column of the hemisphere -."
+        "{file}, row {row:n}: the {role} has both a minus sign and a hemisphere. Export only one "
+        'of them, or name the hemisphere column "-" to ignore it.'
     ),
     # -- columns -----------------------------------------------------------------------------
     "trajectory.no_column": N_(
         "{file}: column {column} is missing. Export it as well, or choose another file."
     ),
     "trajectory.no_columns": N_(
-        "{file}: no column of a trajectory is named. Name time, latitude, longitude, height, roll, "
-        "pitch and heading."
+        "{file}: none of the columns of a trajectory is named. Name time, latitude, longitude, "
+        "height, roll, pitch and heading."
     ),
     "trajectory.columns_missing": N_(
-        "{file}: the columns {names:names} lack {missing:names}. Export these as well, or name the "
-        "columns."
+        "{file}: these columns are missing: {missing:names} (found: {names:names}). Export the "
+        "missing columns as well, or name the columns."
     ),
     "trajectory.position_missing": N_(
-        "{file}: the columns {names:names} lack {missing:names}. Export these as well (easting and "
-        "northing can replace latitude and longitude), or name the columns."
+        "{file}: these columns are missing: {missing:names} (found: {names:names}). Export the "
+        "missing columns as well (easting and northing can replace latitude and longitude), or "
+        "name the columns."
     ),
     "trajectory.unknown_column": N_(
-        '{file}: a column cannot be called "{column}". Name each column from the left as '
-        "{known:choices}, and - for the others."
+        '{file}: "{column}" is not a column name. Name the columns from the left with '
+        "{known:choices}, and with - for a column that is not used."
     ),
     "trajectory.header_rows": N_(
         '{file}: "{value}" is not a number of header rows. Give a number, or auto.'
     ),
     "trajectory.several_columns": N_(
-        "{file}: the {role} is in several columns ({columns:names}). Export it in one, as decimal "
-        "degrees."
+        "{file}: the {role} is split into several columns ({columns:names}). Export it in one "
+        "column, in decimal degrees."
     ),
     "trajectory.unnamed_columns": N_(
         "{file}: the rows have {found:n} columns, but the header names {named:n}. Degrees, minutes "
-        "and seconds between blanks count as three columns. Export decimal degrees, or name the "
-        "columns."
+        "and seconds separated by blanks count as three columns. Export decimal degrees, or name "
+        "the columns."
     ),
     "trajectory.letter_o": N_(
-        "{file}: column {column:n} holds the letter O, which is west in French (ouest) and east in "
-        "German (Ost). Name the column eo (O is west) or ow (O is east)."
+        "{file}: column {column:n} contains the letter O, which means west in French (ouest) and "
+        "east in German (Ost). Name the column eo (O is west) or ow (O is east)."
     ),
     "trajectory.not_an_angle": N_(
-        "{file}: column {column} has the unit {unit} by its header, but must be an angle. Correct "
-        "the header, or export the file again."
+        "{file}: according to the header, column {column} has the unit {unit}, but it must be an "
+        "angle. Correct the header, or export the file again."
     ),
     "trajectory.not_a_length": N_(
-        "{file}: column {column} has the unit {unit} by its header, but must be a length. Correct "
-        "the header, or export the file again."
+        "{file}: according to the header, column {column} has the unit {unit}, but it must be a "
+        "length. Correct the header, or export the file again."
     ),
     "trajectory.unknown_unit": N_(
-        '{file}: the header states the unit "{unit}" for column {column}, which is not known or '
-        "has two meanings. Set the unit, or correct the header and export the file again."
+        '{file}: the unit "{unit}" of column {column} in the header is unknown or ambiguous. '
+        "Choose the unit, or correct the header and export the file again."
     ),
     "trajectory.ambiguous_title": N_(
-        "{file}: the header states a unit or a direction for column {column} that is not known or "
-        "has two meanings. Set the unit, or correct the header and export the file again."
+        "{file}: the unit or direction of column {column} in the header is unknown or ambiguous. "
+        "Choose the unit, or correct the header and export the file again."
     ),
     "trajectory.negative_west": N_(
-        "{file}: column {column} counts to the west by its title, but its values are negative. "
-        "Correct the title or the signs and export the file again."
+        "{file}: according to its title, column {column} is positive to the west, but its values "
+        "are negative. Correct the title or the signs and export the file again."
     ),
     "trajectory.negative_south": N_(
-        "{file}: column {column} counts to the south by its title, but its values are negative. "
-        "Correct the title or the signs and export the file again."
+        "{file}: according to its title, column {column} is positive to the south, but its values "
+        "are negative. Correct the title or the signs and export the file again."
     ),
     # -- coordinate systems ------------------------------------------------------------------
     "trajectory.no_system": N_(
@@ -126,12 +128,12 @@ TEXTS: Mapping[str, Template] = {
         "coordinate system (EPSG:32619 for example)."
     ),
     "trajectory.grid_heading": N_(
-        "{file}: a heading from grid north needs eastings, northings and their coordinate system. "
-        "Give the coordinate system, or choose a true heading."
+        "{file}: a heading from grid north can be used only with eastings, northings and their "
+        "coordinate system. Give the coordinate system, or choose a true heading."
     ),
     "trajectory.outside_system": N_(
-        "{file}: eastings and northings lie outside {system} ({name}). Give their coordinate "
-        "system, and check that they are not exchanged."
+        "{file}: eastings and northings lie outside the area of {system} ({name}). Give their "
+        "coordinate system, and check that they are not swapped."
     ),
     "trajectory.not_projected": N_(
         "{file}: {system} ({name}) is not a projected coordinate system. Give the coordinate "
@@ -143,8 +145,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- text of POSPac and Exail ------------------------------------------------------------
     "trajectory.pospac_header": N_(
-        "{file}: no row names the columns (TIME, ..., LATITUDE, LONGITUDE, ...). Export the file "
-        "with its header, or choose the generic text format and name the columns."
+        "{file}: the row of column names (TIME, ..., LATITUDE, LONGITUDE, ...) is missing. Export "
+        "the file with its header, or choose the generic text format and name the columns."
     ),
     "trajectory.pospac_notation": N_(
         "{file}: {column} is in degrees, minutes and seconds, or in hours. Export decimal degrees "
@@ -154,8 +156,8 @@ TEXTS: Mapping[str, Template] = {
         '{file}, row {row:n}: "{text}" is not a row of numbers. Export the file again.'
     ),
     "trajectory.exail_header": N_(
-        "{file}: no row that starts with # names the columns. Export the file with its header, or "
-        "choose the generic text format and name the columns."
+        "{file}: the row of column names, which starts with #, is missing. Export the file with "
+        "its header, or choose the generic text format and name the columns."
     ),
     # -- SBET and smrmsg ---------------------------------------------------------------------
     "sbet.not_readable": N_(
@@ -165,23 +167,24 @@ TEXTS: Mapping[str, Template] = {
         "{file}: the file has {bytes:n} bytes, less than two SBET records. Export it again."
     ),
     "sbet.one_record": N_(
-        "{file}: the file has one SBET record, but a trajectory needs at least two. Export more."
+        "{file}: the file has only one SBET record, but a trajectory needs at least two. Export "
+        "the whole trajectory."
     ),
     "sbet.not_degrees": N_(
-        "{file}: latitude or longitude is out of range for degrees from SBET record {record:n} on "
-        "(up to {largest:x}). Check the unit, and that the file is an SBET."
+        "{file}: from SBET record {record:n} on, latitude or longitude is too large for degrees "
+        "(up to {largest:x}). Check the unit, and check that the file is an SBET."
     ),
     "sbet.exchanged_position": N_(
-        "{file}: latitude or longitude is out of range for radians from SBET record {record:n} on "
-        "(up to {largest:x}). They seem to be exchanged: choose the order longitude-latitude."
+        "{file}: from SBET record {record:n} on, latitude or longitude is too large for radians "
+        "(up to {largest:x}). They seem to be swapped: choose the order longitude-latitude."
     ),
     "sbet.in_degrees": N_(
-        "{file}: latitude or longitude is out of range for radians from SBET record {record:n} on "
+        "{file}: from SBET record {record:n} on, latitude or longitude is too large for radians "
         "(up to {largest:x}). The angles seem to be in degrees: choose the unit degrees, or export "
         "the file in radians."
     ),
     "sbet.not_radians": N_(
-        "{file}: latitude or longitude is out of range for radians from SBET record {record:n} on "
+        "{file}: from SBET record {record:n} on, latitude or longitude is too large for radians "
         "(up to {largest:x}). The file may have another byte order or another format: export it "
         "again."
     ),
@@ -195,22 +198,24 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- CIDCO binary ------------------------------------------------------------------------
     "cidco.cut_short": N_(
-        "{file}: {bytes:n} bytes are not a whole number of points of {record:n} bytes (the last "
-        "one has {rest:n}). The file is cut short or not a CIDCO file. Copy or export it again."
+        "{file}: the file size, {bytes:n} bytes, is not a multiple of the point size, {record:n} "
+        "bytes (remainder: {rest:n}). The file is truncated or is not a CIDCO file. Copy or export "
+        "it again."
     ),
     "cidco.inconsistent_point": N_(
-        "{file}: point {point:n} is not consistent (distance to the POS, angles or standard "
+        "{file}: point {point:n} has impossible values (distance to the POS, angles or standard "
         "deviations). The file is not a CIDCO file or has another byte order. Export it again."
     ),
     "cidco.different_states": N_(
-        "{file}: two points at {time:s.6} s hold different POS states, so the points are not of "
-        "one trajectory. Check that all files are of one survey."
+        "{file}: two points at the time {time:s.6} s have different POS states, so the points do "
+        "not belong to one trajectory. Check that all files are from one survey."
     ),
     "cidco.one_state": N_(
-        "{file}: the file has one state, but a trajectory needs at least two. Add further files."
+        "{file}: the file has only one trajectory state, but a trajectory needs at least two. Add "
+        "further files."
     ),
     "cidco.invalid_origin": N_(
-        'The origin "{origin}" is not latitude and longitude in degrees and height in metres. '
-        "Check it, or leave it out."
+        'The origin "{origin}" must be a latitude and longitude in degrees and a height in '
+        "metres. Correct the origin, or omit it."
     ),
 }

@@ -153,7 +153,7 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
         qtbot.mouseClick(box, Left, pos=QPoint(8, box.height() // 2))
     assert current.matrix.isVisible()
     assert not current.fields.isVisible()
-    assert "0 numbers do not make a 3x3" in panel.assumption.text()
+    assert "the matrix has 0 numbers" in panel.assumption.text()
     turn = Rotation.from_euler("ZYX", [-3, 1.0, 0.1], degrees=True).as_matrix()
     qtbot.mouseClick(current.matrix.viewport(), Left)
     qtbot.keyClicks(current.matrix, "; ".join(" ".join(f"{v:.10f}" for v in row) for row in turn))
@@ -179,13 +179,13 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
     qtbot.keyClicks(current.matrix, "1 0 0 0.12; 0 1 0 -0.34; 0 0 1 2.5; 0 0 0 1")
     told = panel.lever.text().replace("&nbsp;", " ")
     assert told.count("X forward <b>+0.1200</b> m, Y starboard <b>−0.3400</b> m") == 2
-    assert "none was given here" in told
+    assert "No lever arm was entered" in told
     assert "Correction of the 4x4 matrix" in panel.remarks.text()
     # Typed here, it replaces the present one.
     type_in(qtbot, panel.given.lever_arm.fields[2], "-2.4")
     told = panel.lever.text().replace("&nbsp;", " ")
     assert "Z down <b>+2.4000</b> m" in told
-    assert "replaces that of the present matrix" in told
+    assert "replaces the lever arm of the current matrix" in told
     qtbot.mouseClick(panel.copy, Left)
     copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
     np.testing.assert_allclose(copied[:3, 3], [0.0, 0.0, 2.4], atol=1e-12)
@@ -212,7 +212,7 @@ def test_axes_of_an_imu(qtbot: QtBot, panel: ConventionPanel) -> None:
     pick(panel.imu.y, "starboard")
     assert "X forward, Y starboard, Z down" in panel.rules.text()
     pick(panel.imu.x, "starboard")
-    assert "lie on one line" in panel.assumption.text()
+    assert "are parallel or opposite" in panel.assumption.text()
     assert not panel.table.isVisible()
     assert not panel.copy.isEnabled()
     pick(panel.imu.y, "forward")

@@ -32,7 +32,7 @@ def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
     assert len(plan(design).lines) == 6
     # The manual's table: two boards, six lines.
     assert shown(design) == pytest.approx([0.0122, 0.0300, 0.0236], abs=1e-4)
-    driver.bot.waitUntil(lambda: "weakest direction" in design.results.words.text())
+    driver.bot.waitUntil(lambda: "Least precisely determined" in design.results.words.text())
     assert "pitch" in design.results.words.text().split(";")[0]
     assert design.results.thesis["yaw"].text() == design.results.sigma["yaw"].text()
     driver.bot.waitUntil(lambda: not design.results.following.active)
@@ -150,7 +150,7 @@ def test_boards_that_face_one_way_are_refused_in_words(
     design.tabs.setCurrentWidget(design.targets)
     editor = type_cell(driver, design.targets.table, 1, 4, "90")
     driver.bot.keyClick(editor, Key.Key_Return)
-    driver.bot.waitUntil(lambda: "All targets face the same way" in design.results.words.text())
+    driver.bot.waitUntil(lambda: "the same orientation" in design.results.words.text())
     assert design.results.words.property("role") == "warning"
 
 

@@ -63,7 +63,7 @@ def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWind
     assert shown(design) == foretold(design)
     driver.bot.waitUntil(lambda: following.has_said, timeout=WAIT_MS)
     following.late.emit()
-    assert "weakest direction" in design.results.words.text(), "said, and not taken back"
+    assert "Least precisely determined" in design.results.words.text(), "said, and not taken back"
     driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
     assert design.results.worth.rowCount() == 14
 

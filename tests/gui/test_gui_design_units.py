@@ -56,7 +56,7 @@ def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplicatio
     assert vars(site) == vars(metric)
     form.lists["heights"].setText("10, 20")
     assert form.site(titled)[1].heights == pytest.approx((10 * FOOT, 20 * FOOT))
-    assert "700 ft is out of range. Give −164 to 656.2 ft" in refusal("700")
+    assert "700 ft is out of range. Enter a value from −164 to 656.2 ft" in refusal("700")
 
 
 def refusal(text: str) -> str:

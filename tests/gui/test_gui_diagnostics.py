@@ -185,10 +185,10 @@ def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, 
     assert texts(turn_to(shown, "Targets").table, "Remark")[0] == f"rejected on {line}"
     table = turn_to(shown, "Cross-checks").table
     assert texts(table, "Verdict") == ["disagrees", "no result"]
-    assert texts(table, "Reason")[1] == "No target is left on two lines."
+    assert texts(table, "Reason")[1] == "None of the remaining targets is observed on two lines."
     assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
     told = shown.window.results.warnings.text()
-    assert f"T1 on line {line} (off by " in told
+    assert f"T1 on line {line} (displaced by " in told
     assert f"without line {line}" in told
 
 

@@ -24,7 +24,7 @@ def test_a_surface_clicked_twice_is_told_of(opened: Driver) -> None:
     click_on(opened, "T2", aside=0.2)
     assert window.controller.candidate.name == "T3"
     assert box.double.isVisible()
-    assert box.double.text().startswith("T3 is the same surface as T2: ")
+    assert box.double.text().startswith("T3 and T2 are the same surface: ")
     click(opened, box.accept)
     assert [target.name for target in opened.project.targets] == ["T1", "T2", "T3"]
     open_step(opened, 2)

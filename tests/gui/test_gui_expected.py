@@ -20,7 +20,7 @@ def test_the_candidate_is_compared_with_what_is_expected(opened: Driver) -> None
     click(opened, opened.window.targets.candidate.reject)
     typed(opened, "expected_tilt", "45")
     seed(opened, "T1")
-    assert "more than the 45.0 deg expected" in detail.text()
+    assert "more than the expected 45.0 deg" in detail.text()
     click(opened, opened.window.targets.candidate.accept)
     assert opened.project.target("T1").expected.width == 1.23
     opened.window.targets.shape_choice.setCurrentIndex(1)

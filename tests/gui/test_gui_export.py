@@ -45,11 +45,11 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert dialog.request().system == "local"
     assert "north, west and up" in dialog.said.text()
     dialog.system.setCurrentIndex(0)
-    assert "Nothing is moved to another datum" in dialog.said.text()
+    assert "No datum transformation is applied" in dialog.said.text()
     assert "at the epoch of the trajectory" in dialog.said.text()
     dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
     assert dialog.said.isVisible()
-    assert "in its datum and at its epoch" in dialog.said.text()
+    assert "in the datum and at the epoch of" in dialog.said.text()
 
 
 def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
@@ -76,10 +76,10 @@ def test_a_system_of_another_part_of_the_world_is_doubted(
     dialog.system.lineEdit().setText("EPSG:32660")
     dialog._judge()
     assert dialog.said.property("role") == "error"
-    assert "the UTM zone there is EPSG:32618" in dialog.said.text()
+    assert "the UTM zone of the trajectory is EPSG:32618" in dialog.said.text()
     dialog.system.lineEdit().setText("EPSG:32619")  # the next zone, as a survey near its edge has
     dialog._judge()
-    assert "the UTM zone there" not in dialog.said.text()
+    assert "the UTM zone of the trajectory" not in dialog.said.text()
     dialog.height.setText("5703")
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     qtbot.waitUntil(lambda: not dialog.height.isEnabled(), timeout=5000)
@@ -147,7 +147,7 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     for field, text, words in (
         (dialog.epoch, "soon", "decimal year"),
         (dialog.epoch, "99999", "decimal year"),
-        (dialog.epoch, "", "changes with time"),
+        (dialog.epoch, "", "depends on time"),
         (dialog.datum, "EPSG:2", "EPSG:2"),
     ):
         good = field.text()
@@ -165,7 +165,7 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     dialog.epoch.clear()
     dialog._judge()
     assert dialog.request().trajectory_datum == ""
-    assert "Nothing is moved to another datum" in dialog.said.text()
+    assert "No datum transformation is applied" in dialog.said.text()
 
 
 def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path: Path) -> None:
@@ -179,7 +179,7 @@ def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path
     assert dialog.system.itemData(0) == utm_zone(track())
     dialog.system.lineEdit().setText(NAD83)
     dialog._judge()
-    assert "different datums" in dialog.said.text()
+    assert "datum differs between lines" in dialog.said.text()
     assert not ok(dialog).isEnabled()
     dialog.datum.setText(ITRF)
     dialog.epoch.setText("2010")

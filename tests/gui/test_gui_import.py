@@ -153,7 +153,7 @@ def test_a_line_is_left_out_by_its_button_and_the_timeline_goes_by_keys(
     assert "after" in view.accessibleDescription() or "outside" in view.accessibleDescription()
     for left_out in (other, far):  # the last button is the last line's
         button = dialog.timeline.remarks.buttons[-1]
-        assert button.text() == "Leave the file out"
+        assert button.text() == "Exclude the file"
         qtbot.mouseClick(button, Left)
         rest(qtbot, dialog)
         assert dialog.intake.entry(left_out).role is None

@@ -19,7 +19,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     adjusted.rest()
     assert adjusted.project.result is before
     [refusal] = map(str, adjusted.dialogs.errors)
-    words = f"A later estimate was refused: {refusal}"
+    words = f"The last adjustment was not possible: {refusal}"
     assert words in unescape(adjusted.window.results.warnings.text())
     reporting = adjusted.window.findChild(ReportExport)
     report = tmp_path / "r.json"
@@ -32,7 +32,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     ]
     set_language("fr")
     french = message_text(refused_since(refusal))
-    assert french.startswith("Une estimation ultérieure a été refusée")
+    assert french.startswith("La dernière compensation n’a pas été possible")
     set_language("en")
 
     adjusted.window.controller.rename("T1", "North wall")  # the result stays, and so does this

@@ -192,4 +192,4 @@ def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None
     assert not shown.ticked_pairs
     click(opened, shown.all)
     opened.rest()
-    assert "No two of the selected lines meet" in str(opened.dialogs.errors[-1])
+    assert "No object is covered by two of the selected lines" in str(opened.dialogs.errors[-1])

@@ -34,7 +34,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     assert shown(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
     assert "Quality: doubtful" in shown(picked, "T2", steep, Role.ToolTipRole)
-    assert "from its normal." in shown(picked, "T2", steep, Role.ToolTipRole)
+    assert "surface normal is" in shown(picked, "T2", steep, Role.ToolTipRole)
 
 
 def test_a_poor_one_is_told_and_can_be_left_out_and_undone(picked: Driver) -> None:
@@ -42,8 +42,8 @@ def test_a_poor_one_is_told_and_can_be_left_out_and_undone(picked: Driver) -> No
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()
     assert shown(picked, "T1", line).endswith("poor")
-    assert "It has only 40 points." in shown(picked, "T1", line, Role.ToolTipRole)
-    assert " % of what the other lines show: 0." in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "The sighting has only 40 points." in shown(picked, "T1", line, Role.ToolTipRole)
+    assert " on the other lines is visible: 0." in shown(picked, "T1", line, Role.ToolTipRole)
     picked.window.controller.use_sighting("T1", line, False)
     picked.rest()
     assert shown(picked, "T1", line).endswith("poor")
@@ -105,7 +105,7 @@ def test_a_candidate_has_its_lights_before_it_is_accepted(opened: Driver) -> Non
     assert "Quality: good" in told["L1_000"]
     assert " points, " in told["L1_000"]
     assert "Quality: doubtful\n" in told["L3_045"]
-    assert "The beams meet it at 73 deg from its normal." in told["L3_045"]
+    assert "surface normal is 73 deg" in told["L3_045"]
     box = opened.window.targets.candidate
     assert box.lights.height() < 60, "six lines are two or three rows"
     press(opened, Key.Key_Return)

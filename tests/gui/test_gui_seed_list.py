@@ -76,7 +76,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     names = [*list(SEEDS)[:3], "Lost"]
     assert [row[0] for row in read] == [row[0] for row in found] == names
     assert read[0][2:5] == [f"{value:.3f}" for value in SEEDS[names[0]][1]]
-    assert "Columns by their order: name, north, west and up." in said
+    assert "Columns identified by their order: name, north, west and up." in said
     assert [row[2] for row in found][3] == "none"
     assert found[0][2] == "6 of 6"
     assert found[3][4]
@@ -98,11 +98,11 @@ def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, li
         assert "tick to replace" in table.item(0, 6).text()
         columns = dialog.findChild(QLineEdit, "list_columns")
         picked.bot.keyClicks(columns, "name,x,y")
-        assert "the columns lack z" in dialog.findChild(QLabel, "list_said").text()
+        assert "columns are missing: z" in dialog.findChild(QLabel, "list_said").text()
         assert not pick.isEnabled()
         assert table.rowCount() == 0
         picked.bot.keyClicks(columns, ",z")
-        assert "Columns as named" in dialog.findChild(QLabel, "list_said").text()
+        assert "Columns identified by their names" in dialog.findChild(QLabel, "list_said").text()
         box = dialog.findChild(QComboBox, "list_system")
         box.setFocus()
         picked.bot.keyClick(box, Key.Key_Down)

@@ -64,7 +64,7 @@ def test_three_clicks_measure_an_angle_and_the_key_again_ends(opened: Driver) ->
     assert view.mouse_mode == "navigate"
     press(opened, Key.Key_M, SHIFT)
     points(opened, 100, 100, 4000)
-    assert "An angle needs three" in opened.window.log.toPlainText()
+    assert "to measure an angle" in opened.window.log.toPlainText()
     assert "measure" not in view.sketches
     press(opened, Key.Key_Escape)
 

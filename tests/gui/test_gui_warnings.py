@@ -104,7 +104,7 @@ def test_the_status_bar_counts_and_leads_to_the_list(adjusted: Driver) -> None:
 def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> None:
     picked.window.document.edit("less", with_few_points(picked.project))
     line = picked.project.target("T1").sightings[0].line
-    click_row(picked, row_of(picked, "It has only 40 points."))
+    click_row(picked, row_of(picked, "The sighting has only 40 points."))
     window = picked.window
     assert in_front(picked, "Targets by lines")
     assert has_focus(window.table)
@@ -116,7 +116,7 @@ def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> 
 def test_enter_does_what_a_click_does(picked: Driver) -> None:
     """Through the list by the keyboard alone; the row is one below the other."""
     picked.window.document.edit("less", with_few_points(picked.project))
-    row = row_of(picked, "It has only 40 points.")
+    row = row_of(picked, "The sighting has only 40 points.")
     press(picked, Key.Key_F12)
     shown = picked.window.warnings.list
     assert has_focus(shown)
