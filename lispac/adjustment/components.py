@@ -26,7 +26,7 @@ EVERY, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
 INSIST = 10.0
 """Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
 COMMONER = 5.0
-"""More of it where sightings were let go of: jumps are a dozen times commoner, exp(5 / 2)."""
+"""Additional gain if sightings were rejected: jumps are a dozen times commoner, exp(5 / 2)."""
 
 
 def surface_sigma(linearised: Linearised, directions: slice = EVERY) -> float:
@@ -43,12 +43,12 @@ def surface_sigma(linearised: Linearised, directions: slice = EVERY) -> float:
 
 
 def offsets_insist(linearised: Linearised) -> bool:
-    """Whether the data insist on another sigma for the offsets than they share with the tilts.
+    """Whether the data require a sigma of the offsets different from that of the tilts.
 
-    Boards that are displaced from line to line and not bent do that. Those that are displaced most
-    may have been let go of: with a sigma of their own they are held again. That must be likelier
-    than what was let go of, and clearly so, as one sighting that jumped is the commoner thing; and
-    likelier than holding them again with the sigma shared.
+    This is the case for boards that are displaced between lines but not warped. The most displaced
+    sightings may have been rejected; with a sigma of their own they are used again. The likelihood
+    must be clearly larger than with the rejection, since a single jump is more common, and larger
+    than that with the common sigma.
     """
     every = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
     own = every & (np.arange(3) == 2)
@@ -110,11 +110,11 @@ def _surface_likelihood(linearised: Linearised) -> Callable[[Array], float]:
 
 NAMES = ("LiDAR", "POS position", "POS attitude")
 FACTORS = (0.1, 10.0)
-"""Smallest and largest factor on a stated sigma that is believed."""
+"""Smallest and largest factor on a given sigma that is believed."""
 
 
 NOISY = 1.1
-"""Noise of a target over the stated one beyond which the residuals replace the LiDAR sigma."""
+"""Noise of a target over the given one beyond which the residuals replace the LiDAR sigma."""
 
 FEWEST_LINES = 3
 """On two lines an error of the position and a surface that differs look the same."""
@@ -145,7 +145,7 @@ class MaximumLikelihood:
 def variance_components(linearised: Linearised) -> MaximumLikelihood:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and on the surfaces.
 
-    Where the surfaces' sigma is not stated it is found along with the others: an error of the
+    Where the surfaces' sigma is not given it is found along with the others: an error of the
     position shifts a sighting just as its surface does, and only what neighbours share tells which.
     With few sightings the data say little of the POS; the intervals tell. Where the residuals have
     raised the noise of a target already, the factor on the LiDAR's stays 1.

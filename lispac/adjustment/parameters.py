@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 BORESIGHT = CALIBRATION[:3]
 SWITCHED = CALIBRATION[3:]
-"""Values that are estimated only where the user says so."""
+"""Parameters that are estimated only on request."""
 
 LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
 """Radians, metres, seconds, in the order of `CALIBRATION`. What the geometry cannot tell to better

@@ -14,7 +14,7 @@ from lispac.workflow.plan_checks import headline, many_surveys
 
 
 def campaign(arguments: Namespace) -> None:
-    """Print how the answers scatter beside the stated and the foretold sigmas."""
+    """Print the scatter of the results, their sigmas and the predicted sigmas."""
     titled = read_plan(arguments.plan)
     with (
         ConsoleProgress() as progress,

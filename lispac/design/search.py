@@ -37,12 +37,12 @@ IMPROVED = 2
 """Plans of the last generation that are improved: each leads to the best one near it."""
 
 HARDLY = 1e-3
-"""Relative gain that is worth an exchange."""
+"""Smallest relative gain for an exchange."""
 
 
 @dataclass(frozen=True)
 class InformationGain:
-    """What a target or a line is worth: the number of the plan without it, radians.
+    """Information gain of a target or a line: the criterion of the plan without it, radians.
 
     Infinite where an angle would be left open.
     """
@@ -151,7 +151,7 @@ def search(
 def worth(
     plan: Plan, objective: Objective, *, progress: Progress = no_progress
 ) -> tuple[InformationGain, ...]:
-    """What each target and each line is worth, the most valuable first."""
+    """Information gain of each target and each line, largest first."""
     found: list[InformationGain] = []
     every = len(plan.targets) + len(plan.lines)
     for k, target in enumerate(plan.targets):
@@ -166,7 +166,7 @@ def worth(
 
 
 class _CountingMapper:
-    """A mapper that counts what it was asked, and reports."""
+    """A mapper that counts evaluations and reports progress."""
 
     def __init__(self, mapper: Mapper, progress: Progress, expected: int) -> None:
         self.mapper, self.progress, self.expected = mapper, progress, expected
@@ -255,7 +255,7 @@ def _exchanged(space: DesignSpace, choice: Choice, mapper: Mapper) -> Choice:
 
 
 def _front(site: Site, plan: Plan, objective: Objective) -> tuple[Step, ...]:
-    """What is left out first: step by step what costs least for the minutes it saves."""
+    """Plans with less time: each step removes what costs the least precision for the time saved."""
     steps = [Step(plan, site.minutes(plan), objective.of(plan))]
     while True:
         now = steps[-1]

@@ -297,7 +297,7 @@ class MainWindow(QMainWindow):
         self.log.note(text)
         self.task_bar.showMessage(text, NOTE_MS)
 
-    # -- what is asked -----------------------------------------------------------------------
+    # -- requests --------------------------------------------------------------------------
 
     def open_project(self, path: Path) -> None:
         """Open a project, after asking about changes to the present one."""

@@ -31,7 +31,7 @@ BY_HAND = "H"
 
 
 class PatchObjects(QObject):
-    """Lays boxes in the worker, and tells of them by `laid`.
+    """Places boxes in the worker, and emits them with `laid`.
 
     Parameters
     ----------

@@ -292,7 +292,7 @@ class SiteDesign(QObject):
         return self.runner, self.paper
 
     def _may_lose(self) -> bool:
-        """Whether the plan may go: it is saved, or the user says so."""
+        """Whether the plan may be closed: it is saved, or the user confirms."""
         if not self.workspace.history.changed:
             return True
         answer = self._dialogs.save_changes(self.workspace.titled.title)

@@ -142,7 +142,7 @@ class TaskRunner(QObject):
         return task
 
     def cancel(self) -> None:
-        """Ask the running task, and those that wait, to stop."""
+        """Cancel the running and waiting tasks."""
         for task in self._all():
             task.cancel.set()
         self._waiting = []
@@ -202,7 +202,7 @@ class TaskRunner(QObject):
                 if not task.quiet:
                     self.stopped.emit(task.title)
             elif task.error is not None:
-                self.changed.emit()  # nothing runs any more while the error is shown
+                self.changed.emit()  # no task runs while the error is shown
                 self.failed.emit(task.error)
             else:
                 if task.cancel.is_set():

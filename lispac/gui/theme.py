@@ -87,13 +87,13 @@ LIGHTS = {
     "good": ("check-circle", "done"), "doubtful": ("alert-circle", "doubtful"),
     "poor": ("close-circle", "error"),
 }  # fmt: skip
-"""Traffic lights differ in shape as well: colours alone do not tell everybody."""
+"""Symbols of quality; they differ in shape too, for colour-blind users."""
 PICTURES_PX = (16, 20, 24, 28, 32, 48, 64)
 """So that there is one for each scaling of the screen."""
 
 
 def light(which: str) -> QIcon:
-    """The traffic light of a quality: good, doubtful or poor."""
+    """Colour and symbol of a quality: good, doubtful or poor."""
     name, said = LIGHTS[which]
     return _painted(name, getattr(_used, said))
 

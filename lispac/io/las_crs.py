@@ -32,14 +32,14 @@ UTM = (16000, 16100)
 
 @dataclass(frozen=True)
 class StatedSystem:
-    """What a header says of its coordinate system.
+    """Coordinate system in a header.
 
     Attributes
     ----------
     text : str
-        For `lispac.survey.crs.coordinate_system`; empty where the header says nothing usable.
+        For `lispac.survey.crs.coordinate_system`; empty if the header has nothing usable.
     name, height_unit : str
-        Empty where it says nothing usable.
+        Empty if it has nothing usable.
     doubts : tuple of Message
         About a system that cannot be used, or is used with an assumption.
     messages : tuple of Message

@@ -34,16 +34,16 @@ LONGEST = 15.0
 
 @dataclass(frozen=True, eq=False)
 class LineTimes:
-    """When a line's points were measured, as the file says it.
+    """Times of a line's points, as in the file.
 
     Attributes
     ----------
     sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
-        Counted on where they start again.
+        Continued across a time rollover.
     start, end : float, seconds
         Of the points looked at.
     count : int or None
-        Points of the file, where it was read whole or says so.
+        Number of points of the file, if read completely or given in its header.
     whole : bool
         Whether every point was looked at, so that start and end are certain.
     reached_end : bool
@@ -51,7 +51,7 @@ class LineTimes:
     place : ndarray of shape (3,), frame and unit of the file
         Coordinates of one point, as the file has them.
     restart : str
-        Where the times start again, as stated or found (`lispac.survey.time_restart`); empty where
+        Where the times start again, as given or found (`lispac.survey.time_restart`); empty where
         they do not.
     """
 

@@ -53,10 +53,10 @@ class ListedPoint:
     name : str
         Empty where the list has no names.
     role : {"target", "validation"} or None
-        As the list says; None where it does not.
+        As in the list; None if not given.
     coordinates : three of float, in the order and unit of their coordinate system
     sigma : float or None, metres
-        Of a check point, where the list says.
+        Of a check point, if given in the list.
     plane : str
         The plane that a check point lies on with others; empty where it stands alone.
     """
@@ -170,7 +170,7 @@ def looks_like_a_list(path: Path) -> bool:
 
 
 def _rows(path: Path) -> Iterator[tuple[int, str]]:
-    """Rows that are neither empty nor remarks; names may stand in a remark of the first rows.
+    """Rows that are neither empty nor comments; names may be in a comment of the first rows.
 
     Raises
     ------
@@ -283,7 +283,7 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     Raises
     ------
     InputError
-        Where the order does not tell.
+        If the order is unknown.
     """
     fields = fields_of(text, separator)
     numbers = [is_number(field) for field in fields]

@@ -1,6 +1,6 @@
 """The plane that each line sees of each region of the scene.
 
-Sums of products tell a plane without a look at its points one by one; a second and a third look
+Sums of products give a plane without reading its points one by one; a second and a third pass
 leave out what lies far from it.
 """
 
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 LOOKED_AT = 300_000
-"""Points of a line that are looked at: enough to tell where planes are."""
+"""Points of a line that are examined: enough to find its planes."""
 FEWEST = 20
 """Points of a line that a region must hold."""
 FAR, TIGHT = 2.5, 2.0
@@ -136,7 +136,7 @@ def line_planes(
     # Sums count from a point of the region: at large coordinates they would lose digits.
     origin = found[np.cumsum(counts) - counts]
     local = found - origin[owner]
-    # With the biweight (Beaton and Tukey 1974) a plane settles on the densest layer of the points.
+    # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
     centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
     far = np.full(len(counts), np.inf)
     for look in range(LOOKS):

@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 MOST_POINTS = 400
-"""Points of a line about an object, about: more tell little more, as they share one POS error."""
+"""Approximate points of a line on an object: more add little, since they share one POS error."""
 FINEST = 0.03
 """Least spacing of these points, metres."""
 FEWEST = 30

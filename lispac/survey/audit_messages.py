@@ -17,7 +17,7 @@ from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
 
 MANY_TOO_FAR = 0.001
-"""Share of points beyond the reach of the scanner from which the file is doubtful: its unit, or the
+"""Share of points beyond the reach of the scanner from which the file is suspect: its unit, or the
 scanner that was given."""
 COARSE_STEP = 0.9e-3
 """Seconds: steps of the point times from here on are reported."""
@@ -60,7 +60,7 @@ def line_messages(
         Of the line or file.
     audit : LineAudit
     trajectory : LocalTrajectory, optional
-        Without it, effects of the motion are not stated.
+        Without it, effects of the motion are not given.
     times : ndarray of shape (n,), seconds, in the trajectory's time base, optional
         Some times of the line, ascending, that have a pose.
     """

@@ -63,7 +63,7 @@ class Recovery:
     mounting : Mounting
         Lever arm, boresight and offsets applied when the cloud was made.
     path : Path, optional
-        Of the cloud, for what is said of it.
+        Of the cloud, for messages.
     """
 
     system: CoordinateSystem
@@ -178,7 +178,7 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     ----------
     points_lidar : ndarray of shape (n, 3), metres
     path : Path
-        Of the line, for what is said of it.
+        Of the line, for messages.
 
     Raises
     ------

@@ -22,7 +22,7 @@ class TimeQuality:
     ----------
     count : int
     duplicates : int
-        Times equal to the one before, or nearer to it than any clock can tell.
+        Times equal to the one before, or nearer to it than the resolution of any clock.
     backward : int
         Times earlier than the one before.
     first_disorder : int or None

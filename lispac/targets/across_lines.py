@@ -102,7 +102,7 @@ def find_in_lines(
     found : dict of line name to PlanePatch
         Normals all face the same side.
     missing : dict of line name to Message
-        Why the target was not found in a line, in words.
+        Reason why the target was not found in a line.
 
     Raises
     ------

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 UP = np.array([0.0, 0.0, 1.0])
 
 LEVEL = np.cos(np.radians(80.0))
-"""Horizontal part of a normal below which its direction says nothing: the target lies flat."""
+"""Horizontal part of a normal below which its direction is undefined: the target lies flat."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -234,7 +234,7 @@ def _on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
 def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float) -> Sphere:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
-    It settles on the densest layer of the points.
+    It converges to the densest layer of the points.
     """
     for _ in range(ROBUST_ROUNDS):
         off = sphere.distances(points) / threshold
@@ -243,7 +243,7 @@ def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float
 
 
 def _trimmed(points: Array, on: Indices, radius: float | None, settings: FinderSettings) -> Indices:
-    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals."""
+    """Remove points beyond three sigma, the sigma taken from the middle of the residuals."""
     residuals = np.abs(fit_sphere(points[on], radius).distances(points[on]))
     sigma = 1.4826 * float(np.median(residuals))
     kept = on[residuals <= min(settings.threshold, TRIM * sigma)]

@@ -17,7 +17,7 @@ from lispac.validation.repeatability import Calibration, Difference, difference,
 Array = NDArray[np.float64]
 
 LIMIT = 3.0
-"""Sigmas of the difference from the mean, beyond which the mounting is said to have moved."""
+"""Sigmas of the difference from the mean, beyond which the mounting has moved."""
 CHANCE = 2.0 * NormalDist().cdf(-LIMIT)
 """Of that without a reason, for one angle; and for the three together, which are tested too. Either
 comes up without a reason for hardly one calibration in a hundred."""

@@ -75,7 +75,7 @@ def write_report(
     pictures : mapping of caption to PNG file, optional
     options : language (JSON stays English), page, convention and letterhead; see
         `lispac.workflow.report_options`
-    refused : why an estimate was refused that was asked for after that of the report; empty where
+    refused : why an estimate after that of the report was refused; empty where
         none was
     generated : the moment the report says it was made at; now, if not given
 

@@ -144,13 +144,13 @@ class Intake:
         )
 
     def with_option(self, path: Path, name: str, value: str) -> "Intake":
-        """State an option; the file has to be looked into again."""
+        """Set an option; the file must be examined again."""
         entry = self.entry(path)
         stated = dict(entry.stated or {}) | {name: value}
         return self.with_entry(replace(entry, stated=stated, pending=True))
 
     def with_column(self, path: Path, column: int, meaning: str) -> "Intake":
-        """Say what a column is; the file has to be looked into again."""
+        """Set the meaning of a column; the file must be examined again."""
         entry = self.entry(path)
         tokens = with_meaning(entry.columns, column, meaning)
         changed = self.with_option(path, "columns", " ".join(tokens))
@@ -191,7 +191,7 @@ class Intake:
         return changed
 
     def sorted_out(self, path: Path) -> "Intake":
-        """Settle what a file is where others tell.
+        """Determine the role of a file from the other files.
 
         Text that may be a trajectory is a line beside one that certainly is.
         """
@@ -247,7 +247,7 @@ class Intake:
 
     @property
     def time_base(self) -> TimeBase | None:
-        """The trajectory's, as stated or taken; None where its options do not say."""
+        """Time base of the trajectory, given or assumed; None if its options have none."""
         if self._base.base is not None:
             return self._base.base
         return next(iter(plausible(self.track.time)), None) if self.track is not None else None

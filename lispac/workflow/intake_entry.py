@@ -70,7 +70,7 @@ class Entry:
         None leaves the file out.
     format : Format or None
     stated : mapping of str to str
-        Options that the user has stated.
+        Options given by the user.
     finding : Finding or None
         With these options; the last one that could be made where they do not fit the file.
     content : Trajectory, TrajectoryAccuracy, LineTimes or None
@@ -79,7 +79,7 @@ class Entry:
     shift : float, seconds
         Added to the times of a line.
     follows : bool
-        Whether the shift is the one that follows from stated time bases.
+        Whether the shift is the one that follows from given time bases.
     place : Place or None
         Of a georeferenced line.
     remembered : bool
@@ -121,7 +121,7 @@ class Entry:
 
     @property
     def options(self) -> dict[str, str]:
-        """All options as they stand: stated, else found, else by default."""
+        """All current options: given, else detected, else default."""
         if self.format is None:
             return {}
         found = {} if self.finding is None else dict(self.finding.choice)
@@ -139,7 +139,7 @@ class Entry:
 
     @property
     def reading(self) -> Reading:
-        """How the file is read, for the project: what was stated, with the rest to be found."""
+        """Reading options for the project: given ones; the others are detected."""
         stated = {} if self.stated is None else dict(self.stated)
         if self.format is None or (not stated and self.format in self.formats[:1]):
             return Reading("", (), self.shift)

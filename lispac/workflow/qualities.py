@@ -37,7 +37,7 @@ Key = tuple[str, str]
 STEP = 1e-5
 """Radians by which the boresight is turned to see how points move."""
 LOOKED_AT = 50_000
-"""Points about a sighting among which surfaces like it are sought."""
+"""Points about a sighting among which surfaces like it are searched for."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -36,7 +36,7 @@ class CountingMapper:
         """Results in order."""
         for value in self._mapper(function, values):
             self._count += 1
-            if self._count % 10 == 0:  # asked for the cancel flag between reports as well
+            if self._count % 10 == 0:  # the cancel flag is read between reports as well
                 self._progress(self._fraction)
             yield value
 

@@ -203,7 +203,7 @@ class Canvas(QWidget):
             self.setCursor(self.over(event.position()))
 
     def mouseReleaseEvent(self, event) -> None:
-        """Drop what is held: one step of undo."""
+        """End the drag as one undo step."""
         if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
             self.workspace.drop(self._release())
             self.update()

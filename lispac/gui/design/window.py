@@ -246,7 +246,7 @@ class DesignWindow(QMainWindow):
             self.views.setCurrentWidget(self.pictures)
 
     def ask_surveys(self) -> None:
-        """Bring what asks for simulated surveys to the front."""
+        """Show the page for simulated surveys."""
         self.tabs.setCurrentWidget(self.surveys)
         self.surveys.surveys.setFocus()
         self.surveys.surveys.selectAll()
@@ -313,7 +313,7 @@ class DesignWindow(QMainWindow):
         self.close()
 
     def closeEvent(self, event) -> None:
-        """Say that it was closed."""
+        """Emit that the window was closed."""
         self.closed.emit()
         event.accept()
 

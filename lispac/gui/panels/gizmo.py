@@ -184,7 +184,7 @@ class Gizmo(QWidget):
         self.turn_view(-_DEGREES_PER_PIXEL * moved.x(), _DEGREES_PER_PIXEL * moved.y())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go of the view."""
+        """Detach from the view."""
         self._last = None
         self.setCursor(Qt.CursorShape.OpenHandCursor)
 

@@ -75,7 +75,7 @@ def in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
 
 
 def robust_sample(points: Array, percent: float = 0.05) -> Array:
-    """Points without the outermost ``percent`` on each side of each axis; stray echoes are there.
+    """Points without the outermost ``percent`` on each side of each axis, which hold outliers.
 
     Parameters
     ----------

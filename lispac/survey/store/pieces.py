@@ -47,7 +47,7 @@ class Piece:
     read : int
         Points of the file up to here, with those left out.
     total : int or None
-        Points of the file, where it says so.
+        Number of points in the file, if given in it.
     """
 
     points_lidar: Array
@@ -98,7 +98,7 @@ class Block:
         }
 
     def add(self, piece: Piece) -> None:
-        """Take points of a piece that have room here."""
+        """Take the points of a piece that fit here."""
         rows = slice(self.count, self.count + len(piece))
         self.points_lidar[rows], self.time[rows] = piece.points_lidar, piece.time
         numbers = np.arange(len(piece)) + (self.first + self.count)

@@ -321,7 +321,7 @@ class ImportDialog(QDialog):
             )  # fmt: skip
         return gettext("{warning} (Mounting and accuracies)", warning=warning)
 
-    # -- what is asked -----------------------------------------------------------------------
+    # -- requests --------------------------------------------------------------------------
 
     def _mend(self, path: Path, action: Action) -> None:
         self.work.edit(self.intake.with_action(path, action))
