@@ -11,7 +11,7 @@ validated, and a report is written::
     harbour.report("boresight.pdf")
     harbour.save()
 
-``resources/manual/en/scripts.md`` tells all steps. What stands in ``__all__`` is for scripts and is
+``resources/manual/en/scripts.md`` describes all steps. What is in ``__all__`` is for scripts and is
 kept from version to version; the rest is the program's own.
 """
 

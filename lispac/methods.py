@@ -51,7 +51,7 @@ class MethodResult:
 
 
 def answers(project: Project) -> tuple[MethodResult, ...]:
-    """The answers that there are, that of the targets first; each is held against the first."""
+    """Available results, that of the targets first; each is compared with the first."""
     found: list[MethodResult] = []
 
     def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:

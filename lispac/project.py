@@ -84,7 +84,7 @@ class Settings:
     variance_components : whether to estimate how large LiDAR and POS errors really are
     accept_one_facing : whether to answer where all targets are planes that face one way
     longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
-        gaps are left out
+        gaps are excluded
     """
 
     lever_arm: Triple
@@ -226,7 +226,7 @@ def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit
 
 @dataclass(frozen=True, eq=False)
 class Project:
-    """Everything a project folder holds; paths are absolute here and relative on disk."""
+    """Contents of a project folder; paths are absolute here and relative on disk."""
 
     folder: Path
     trajectory: Path
@@ -348,7 +348,7 @@ class Project:
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
-        """Keep an adjustment; a validation of another one no longer holds."""
+        """Keep an adjustment; a validation of another one is discarded."""
         return replace(
             self, result=result, cross_checks=None, validation=(), not_compared={}, absolute=None
         )

@@ -139,13 +139,13 @@ def _candidates(problem: Problem) -> Iterator[Blunder]:
             yield Blunder("surface", (int(s),))
     for line in observations.lines:
         own = [s for s, x in enumerate(observations.sightings) if x.line == line and held[s]]
-        # Of a line with one sighting the shift of that says it all.
+        # For a line with one sighting the shift of that is sufficient.
         if len(own) > 1 and spare[own].all():
             yield Blunder("line", tuple(own))
 
 
 def _without(linearised: Linearised, found: Blunder) -> Linearised:
-    """The same with surfaces that differ by as much as all other sightings say."""
+    """The same with form errors estimated from all other sightings."""
     problem = linearised.problem
     return linearised.of(with_surface(problem, linearised.of(found.out_of(problem))))
 

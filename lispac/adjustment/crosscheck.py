@@ -93,7 +93,7 @@ def _without_unseen(
     result: AdjustmentResult,
     parameters: tuple[Parameter, ...],
 ) -> tuple[AdjustmentResult, tuple[Parameter, ...]]:
-    """The answer as it would be with what the geometry does not see held.
+    """The result with undetermined parameters fixed.
 
     The given sigma of such a value goes into those of the angles, of every part alike: the parts
     could differ by far more than the data allow and still seem to agree.

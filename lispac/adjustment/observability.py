@@ -122,7 +122,7 @@ def require_determined(linearised: Linearised) -> None:
 
 
 def _reason_undetermined(linearised: Linearised) -> Message | None:
-    """Why the geometry leaves an angle open; None where no simple reason holds."""
+    """Why the geometry does not determine an angle; None if there is no simple reason."""
     targets = linearised.problem.observations.targets
     parallel = _parallel_lines(linearised)
     if len(targets) == 1:

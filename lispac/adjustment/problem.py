@@ -34,7 +34,7 @@ FIRST_SURFACE = 0.003
 """Metres: sigma of the form errors before it is estimated."""
 
 RELEASED = 10.0
-"""Metres: sigma of how a sighting departs that is no longer held to its target's shape."""
+"""Metres: sigma of the form errors of a rejected sighting."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,12 +133,12 @@ class Problem:
 
     @property
     def held(self) -> NDArray[np.bool_]:
-        """Which sightings are held to the place of their target's shape, shape (sightings,)."""
+        """Which sightings are used, not rejected, shape (sightings,)."""
         return np.asarray(self.surface_sigma[:, 2] < RELEASED)
 
     @property
     def usual_surface(self) -> Array:
-        """Sigmas of the tilts and the offset of what is held, shape (3,), metres."""
+        """Sigmas of the tilts and the offset of used sightings, shape (3,), metres."""
         return np.asarray(self.surface_sigma.min(axis=0))
 
     @property

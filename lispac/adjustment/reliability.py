@@ -32,8 +32,8 @@ class SightingTests:
     Attributes
     ----------
     shift, sigma : ndarray of shape (sightings,), metres
-        Best estimate if the sighting were not held to its target, and its standard deviation,
-        which holds that surfaces differ.
+        Best estimate if the sighting were rejected, and its standard deviation,
+        including form errors.
     effect : ndarray of shape (sightings, 3), radians per metre
         Of a shift on roll, pitch, yaw.
     """

@@ -83,7 +83,7 @@ class SightingReliability:
     weight : float
         Mean weight the loss left to the points.
     released : bool
-        Whether it was found to be a blunder: no longer held to its target, or without weight.
+        Whether it is a blunder: rejected, or without weight.
     """
 
     sighting: Sighting

@@ -91,7 +91,7 @@ def adjust(
         The prior boresight as the starting value; all other values as they are known.
     parameters : tuple of Parameter
         Values of the mounting to estimate besides the boresight. One that the geometry does not
-        see is held, and the result says so.
+        determine is fixed, and the result reports it.
     shapes : ndarray of shape (targets, 4), optional
         Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
     components : bool
@@ -328,7 +328,7 @@ def _contradicted(wrong: Contradiction) -> Message:
 
 
 def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:
-    """All are held: independent POS errors would give them wrong values with small sigmas."""
+    """All are fixed: independent POS errors would give them wrong values with small sigmas."""
     return tuple(
         Estimate(
             each.name, float(problem.prior.values[each.index]), each.sigma,
@@ -403,7 +403,7 @@ def _led_by_most(
 
 
 def _let_go(solution: Solution) -> int:
-    """Sightings that are not held to their target's place."""
+    """Number of rejected sightings."""
     return int((~solution.linearised.problem.held).sum())
 
 

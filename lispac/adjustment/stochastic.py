@@ -2,7 +2,7 @@
 
 ``independent`` is the thesis: every point has a POS error of its own. An INS does not work like
 that: a target is crossed in about a second, and all its points share one slowly drifting POS
-error, which neighbouring sightings share in part. ``correlated`` says so: three position and
+error, which neighbouring sightings share in part. ``correlated`` models this: three position and
 three attitude errors are functions of time, drawn from a first-order Gauss-Markov process
 (Gelb 1974) with the trajectory's accuracy as its standard deviation, and are estimated along
 with the boresight.

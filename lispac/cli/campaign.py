@@ -1,4 +1,4 @@
-"""``lispac campaign``: many simulated surveys of a plan, and whether its sigmas hold."""
+"""``lispac campaign``: many simulated surveys of a plan, and a check of its sigmas."""
 
 from argparse import Namespace
 

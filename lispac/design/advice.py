@@ -67,7 +67,7 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
 
 
 def _taking_part(result: AdjustmentResult) -> tuple[Parameter, ...]:
-    """What is held without a sigma takes no part; what no line sees keeps its given one."""
+    """Parameters fixed without a sigma are excluded; undetermined ones keep their given sigma."""
     if not result.model.correlated:
         return ()  # thesis mode estimates the angles alone
     return tuple(

@@ -1,4 +1,4 @@
-"""Do the sigmas hold? A plan surveyed many times, each survey adjusted like any other."""
+"""Monte Carlo check of predicted sigmas: a plan is simulated and adjusted many times."""
 
 from dataclasses import dataclass
 
@@ -62,7 +62,7 @@ class Scatter:
 
     @property
     def hits(self) -> Array:
-        """Share of the given 95 % intervals that hold the truth, shape (3,)."""
+        """Share of the given 95 % intervals that contain the truth, shape (3,)."""
         return np.asarray((np.abs(self.errors) < 1.96 * self.sigmas).mean(axis=0))
 
     @property

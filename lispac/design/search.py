@@ -1,6 +1,6 @@
 """The best site: which boards to hang where, and which lines to sail past them.
 
-Where the plans are few, all are looked at, and the best is the best. Where they are many,
+If there are few plans, all are evaluated. If there are many,
 differential evolution (Storn and Price 1997, as scipy has it) searches among them, and the best
 that it finds are improved by exchanging one board or line at a time for any other that is allowed
 (coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
@@ -28,7 +28,7 @@ Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 """Calls a function on each of many values, in whatever process; the answers in order."""
 
 EXACTLY = 20_000
-"""Plans up to which all are looked at."""
+"""Number of plans up to which all are evaluated."""
 
 POPULATION = 8
 """Plans a generation for each choice that is open."""
@@ -78,7 +78,7 @@ class Design:
     value : float, radians
         Of the objective.
     exact : bool
-        Whether all plans were looked at, so that none is better.
+        Whether all plans were evaluated, so that none is better.
     looked_at : int
         Plans.
     worth : tuple of InformationGain
@@ -111,7 +111,7 @@ def search(
     Parameters
     ----------
     plans : int
-        About how many to look at where there are too many to look at all.
+        Approximate number of evaluations if there are too many plans.
     seed : int
         The same seed finds the same plan, with any mapper.
     start : Plan, optional

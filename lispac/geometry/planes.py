@@ -73,7 +73,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
     ----------
     points : ndarray of shape (n, 3), metres, any frame
     weights : ndarray of shape (n,), optional
-        Not negative; all alike when left out.
+        Not negative; all alike if omitted.
 
     Raises
     ------

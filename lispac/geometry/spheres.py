@@ -78,7 +78,7 @@ def fit_sphere(
     radius : float, metres, optional
         The known radius; estimated if omitted.
     weights : ndarray of shape (n,), optional
-        Not negative; all alike when left out.
+        Not negative; all alike if omitted.
     start : Sphere, optional
         Where to begin. Without it the fit begins with the algebraic sphere and, for a known
         radius, from both sides of the points, of which the better one is taken.

@@ -437,7 +437,7 @@ def demo_folder() -> Path:
 
 
 def _with_lines(project: Project, progress: Progress) -> Opened:
-    """The lines of a project; and what is looked for now is known when it is to be shown."""
+    """The lines of a project; and what is searched for now is known when it is to be shown."""
     survey = load_survey(project, progress=progress)
     project_doubts(project)
     return project, survey

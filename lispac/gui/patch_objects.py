@@ -39,7 +39,7 @@ class PatchObjects(QObject):
     """
 
     laid = Signal(object, str)
-    """All objects, and the name of the one to look at, or ""."""
+    """All objects, and the name of the one to show, or ""."""
 
     def __init__(
         self,

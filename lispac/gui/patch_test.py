@@ -122,7 +122,7 @@ class PatchTestController(QObject):
     # -- what follows the angles -------------------------------------------------------------
 
     def _show_object(self) -> None:
-        """Another object is looked at, or otherwise."""
+        """Another object is examined, or otherwise."""
         each, survey = self._object(self.panel.shown), self._survey
         if each is None or survey is None or self._laid is None:
             self._dense = self._live = None

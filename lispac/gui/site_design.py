@@ -263,7 +263,7 @@ class SiteDesign(QObject):
         self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
 
     def compare(self) -> None:
-        """Hold the survey of the main window against this plan."""
+        """Compare the survey of the main window with this plan."""
         assert self.window is not None
         project, survey = self._main.document.project, self._main.document.survey
         titled, window = self.workspace.titled, self.window

@@ -81,9 +81,9 @@ class TaskRunner(QObject):
     """Runs tasks one after the other."""
 
     changed = Signal()
-    """A task started or ended: look at `current`."""
+    """A task started or ended: see `current`."""
     moved = Signal()
-    """A task started, went on or ended: look at how far `current` is."""
+    """A task started, progressed or ended: see the progress of `current`."""
     failed = Signal(object)
     """The exception a task ended with."""
     stopped = Signal(str)

@@ -1,4 +1,4 @@
-"""Colours, fonts and the look of the window, light or dark.
+"""Colours, fonts and the theme of the window, light or dark.
 
 ``theme.TEXT``, ``theme.MUTED`` and so on are the colours of the scheme in use (`Scheme.text`,
 `Scheme.muted`): they are looked up whenever they are read, so a module reads them where it paints
@@ -124,7 +124,7 @@ def tabular(font: QFont, *, bold: bool = False) -> QFont:
 
 
 def system_is_dark(application: QApplication) -> bool:
-    """Whether the system is; one that has no looks is light."""
+    """Whether the theme of the system is dark; light if it has none."""
     return application.styleHints().colorScheme() == Qt.ColorScheme.Dark
 
 

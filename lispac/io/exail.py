@@ -90,7 +90,7 @@ def exail_layout(path: Path) -> TextLayout:
     comments = [line for line in lines if line.startswith("#")]
     names = _names(comments)
     if not names:
-        # Reading the first line tells a missing, empty or binary file from one without names.
+        # Reading the first line detects a missing, empty or binary file.
         next(lines_of(path, "Exail text"), None)
         raise InputError(error("trajectory.exail_header", file=str(path)))
     described = {

@@ -1,6 +1,6 @@
 """The coordinate system a LAS header states: WKT, or GeoTIFF keys.
 
-A bit of the global encoding says which of the two applies where a header has both (LAS 1.4 R15,
+A bit of the global encoding selects which of the two applies where a header has both (LAS 1.4 R15,
 2.4). laspy reads both, but of the keys only codes of horizontal systems: not heights, units, earth-
 centred coordinates, nor systems that writers (PDAL among them) name without a code.
 """

@@ -57,7 +57,7 @@ LONGEST_NAME = 31
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """What the records of a written cloud look like.
+    """Layout of the records of a written cloud.
 
     Attributes
     ----------

@@ -27,7 +27,7 @@ READ_WHOLE = 3_000_000
 """Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
 BLOCKS, BLOCK = 40, 500
 PLACE_STEP = 10
-"""Of so many points looked at for their time, one is looked at for its place."""
+"""Of so many examined points for their time, one is examined for its place."""
 LONGEST = 15.0
 """Seconds after which reading stops; what was not read is checked at the import."""
 
@@ -41,13 +41,13 @@ class LineTimes:
     sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
         Continued across a time rollover.
     start, end : float, seconds
-        Of the points looked at.
+        Of the examined points.
     count : int or None
         Number of points of the file, if read completely or given in its header.
     whole : bool
-        Whether every point was looked at, so that start and end are certain.
+        Whether every point was examined, so that start and end are certain.
     reached_end : bool
-        Whether the end of the file was looked at.
+        Whether the end of the file was examined.
     place : ndarray of shape (3,), frame and unit of the file
         Coordinates of one point, as the file has them.
     restart : str
@@ -68,7 +68,7 @@ class LineTimes:
 def line_times(
     path: Path, format: Format, choice: Choice, *, progress: Progress = no_progress
 ) -> LineTimes:
-    """Look through a line's times.
+    """Examine the times of a line.
 
     Raises
     ------

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 CHUNK = 1_000_000
 PREVIEW = 10_000
-"""Points that a look reads."""
+"""Number of points that an examination reads."""
 ROWS = 10
 """Points that a preview shows."""
 HEAD = 65_536

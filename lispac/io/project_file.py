@@ -233,7 +233,7 @@ def project_folder(path: Path) -> Path:
     Raises
     ------
     ProjectError
-        Where there is no project, or it cannot be looked for.
+        Where there is no project, or it cannot be searched for.
     """  # noqa: DOC501 - `_unreadable` makes a ProjectError
     path = Path(path)
     try:

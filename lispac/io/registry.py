@@ -21,7 +21,7 @@ Kind = Literal["trajectory", "accuracy", "points"]
 Choice = Mapping[str, Any]
 """Options by name, given by the user or detected."""
 Fact = str | int | Message
-"""What a look finds in a file: a text of the file itself, a count, or a message."""
+"""Fact found in a file: a text of the file itself, a count, or a message."""
 SAME_TIME_BASE = note("assumed.same_time_base")
 
 SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
@@ -40,7 +40,7 @@ class Option:
     meaning : str
         One sentence for the dialogue, marked for translation.
     choices : tuple of str
-        What may be chosen; empty where it is free text (a column mapping, say).
+        Choices; empty for free text (for example a column mapping).
     default : str
         Used if neither the user nor the detection gives another value.
     """
@@ -53,7 +53,7 @@ class Option:
 
 @dataclass(frozen=True)
 class Finding:
-    """What a look into a file found.
+    """What a examination of a file found.
 
     Attributes
     ----------

@@ -81,7 +81,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     ----------
     options : SbetOptions, optional
         After Applanix where there are none. Times that start again at midnight or at the end of
-        the week are counted on, which the assumptions then say.
+        the week are continued, which the assumptions then state.
 
     Raises
     ------

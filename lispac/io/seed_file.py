@@ -22,7 +22,7 @@ MOST = 1_000
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
 COLUMNS = (NAME, *COORDINATES, ROLE)
-"""What a column may hold, besides what is not used."""
+"""Possible contents of a column, besides unused ones."""
 SIGMA, PLANE = "sigma", "plane"
 CHECK_NAMES = {
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
@@ -71,14 +71,14 @@ class ListedPoint:
 
 @dataclass(frozen=True)
 class PointList:
-    """What a file holds.
+    """Contents of a file.
 
     Attributes
     ----------
     columns : tuple of str
-        What its columns were taken for, from the left: of `COLUMNS`, or ``-`` for one not used.
+        Meaning of its columns, from the left: of `COLUMNS`, or ``-`` for one not used.
     stated : bool
-        Whether a row of names, or the caller, said so; otherwise it is their order that did.
+        Whether given by a header row or the caller; otherwise by their order.
     """
 
     path: Path

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 FAR = 1000.0
 """Metres beyond which a vessel's scanner hardly sees."""
 MANY, TYPICAL = 100, 0.99
-"""Points from which on the farthest are not looked at, and the share that is."""
+"""Points from which on the farthest are not examined, and the share that is."""
 
 
 @dataclass(frozen=True)

@@ -87,7 +87,7 @@ class StaticScan:
 
 
 def static_scan(path: Path) -> StaticScan:
-    """Look at a cloud; its points are read later.
+    """Examine a cloud; its points are read later.
 
     Raises
     ------

@@ -194,7 +194,7 @@ def _format(
     look: Callable[[Path, Choice], Finding],
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
 ) -> Format:
-    """A format that refuses options it does not have before it looks or reads."""
+    """A format that refuses unknown options before it examines or reads."""
 
     def look_checked(path: Path, choice: Choice) -> Finding:
         made.settled(choice)

@@ -41,7 +41,7 @@ class LinePlanes:
     begin, end : ndarray of shape (k,), int
         Where its points stand in the numbers that `line_planes` gives.
     count : ndarray of shape (k,), int
-        Points on the plane, of those that are looked at.
+        Points on the plane, of those that are examined.
     share : ndarray of shape (k,)
         Of the points in the region's voxels that are on the plane.
     centre : ndarray of shape (k, 3), metres, local frame

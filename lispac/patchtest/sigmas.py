@@ -50,8 +50,8 @@ class ObjectFound:
     mismatch : float, metres
         Robust RMS distance between its lines at the minimum of all objects.
     angle : int or None
-        The one in which it differs most, of those it tells: 0 roll, 1 pitch, 2 yaw; None where it
-        tells none, and is not judged.
+        Angle with the largest difference: 0 roll, 1 pitch, 2 yaw; None if the object determines
+        none and is not tested.
     off : float, radians
         Where its own minimum of that angle is, less that of all objects.
     allowed : float, radians

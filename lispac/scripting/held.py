@@ -1,4 +1,4 @@
-"""What a project that is open holds: the project, its survey, its answer."""
+"""Contents of an open project: the project, its survey and its result."""
 
 import numpy as np
 

@@ -267,7 +267,7 @@ class OpenProject(LoadedProject):
         Parameters
         ----------
         sigma : metres, of the reference
-        reach : metres from the reference within which lines are looked for
+        reach : metres from the reference within which lines are searched for
         """
         self.project, _ = absolute.check_absolute(
             self.project, self.survey, Path(reference), crs=crs, height=height,

@@ -1,4 +1,4 @@
-"""Lines placed in the local frame, of which only what is looked at is read.
+"""Lines placed in the local frame, of which only what is examined is read.
 
 Points are identified by number: the place in their line, in the order of its file. That is what
 picks are kept in, whether the line is in memory or on disk.

@@ -44,7 +44,7 @@ class Chunk(Protocol):
 
     @property
     def extra(self) -> Any:
-        """What else the file holds of each point."""
+        """Other attributes of each point in the file."""
 
 
 C = TypeVar("C", bound=Chunk)
@@ -73,7 +73,7 @@ class Recovery:
 
     @property
     def assumptions(self) -> tuple[Message, ...]:
-        """What has to hold for the vectors to be those of the scanner."""
+        """Conditions under which the vectors are those of the scanner."""
         return (*self.system.assumptions, note("assumed.cloud_made_with"))
 
     @cached_property

@@ -59,7 +59,7 @@ LEAST_COVERED, MOST_LARGER = 0.3, 3.0
 
 @dataclass(frozen=True, eq=False)
 class _Reference:
-    """What is looked for in the other lines."""
+    """What is searched for in the other lines."""
 
     seed: Array
     patch: PlanePatch

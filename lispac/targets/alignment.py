@@ -29,7 +29,7 @@ Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 LOOKED_AT, MOST_POINTS = 200_000, 3_000
-"""Points of a line that are looked at, and of these the most that speak: spread evenly over the
+"""Points of a line that are examined, and of these the most that speak: spread evenly over the
 scene, a few hold as much information as all."""
 FINEST = 0.1
 """Least spacing of these points, metres."""
@@ -235,7 +235,7 @@ class _Scene:
     def stepped(self, boresight: Array, reach: float) -> Array:
         """One step of Gauss and Newton, with weights that fall off within the reach."""
         information, gradient = self._told(boresight, reach)
-        # Thousands of points err alike: they tell no more than one, and the prior keeps its say.
+        # Thousands of points have a common error: they count as one, the prior keeps its weight.
         prior = (SPREAD / LIKELY) ** 2
         gradient = gradient + prior * (boresight - self.boresight)
         return np.asarray(boresight - np.linalg.solve(information + prior * np.eye(3), gradient))

@@ -95,7 +95,7 @@ def detect_planes(
     lines : mapping of line name to points by their index, optional
         What the indices of the planes mean; ``clouds`` where not given.
     find : callable, optional
-        Seeks the plane at a seed, shape (3,), in all lines, in the named one first;
+        Searches for the plane at a seed, shape (3,), in all lines, in the named one first;
         `find_in_lines` in ``clouds`` where not given.
     most : int
         Surfaces to follow through the lines.

@@ -48,7 +48,7 @@ class PlanePatch:
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
     one_in : int
-        Of how many points about the seed one was looked at.
+        Of how many points about the seed one was examined.
     """
 
     indices: Indices

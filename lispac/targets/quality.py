@@ -153,7 +153,7 @@ def plane_quality(
     boresight_off : float, radians
         Sigma of that error in each angle.
     threshold : float, metres, optional
-        Farthest from the plane that points were looked for.
+        Farthest from the plane that points were searched for.
     shown : Shown, optional
         What the other lines show of the same plane, where it ends within the search radius.
     """

@@ -14,7 +14,7 @@ Indices = NDArray[np.int64]
 
 # Hypotheses are judged on at most this many points.
 SAMPLE = 4000
-# A batch of hypotheses, after which the stop criterion is looked at, and the most batches.
+# A batch of hypotheses, after which the stop criterion is examined, and the most batches.
 BATCH, MOST_BATCHES = 128, 12
 # The widest triangle, as a share of the search radius, from which a hypothesis is drawn.
 LOCAL = 0.5

@@ -25,7 +25,7 @@ __all__ = ["RadiusSought", "SpherePatch", "find_sphere"]
 # The farthest from the seed, in largest radii, at which a point can belong to its ball.
 REACH = 3.0
 # While points and sphere are chosen in turns, so many points are enough for the fit, and a radius
-# that leaves the span sought by this factor will not come back.
+# that leaves the searched range by this factor will not return.
 ENOUGH, LOOSE = 1000, 1.5
 # Half angle of the cap that is kept. Beyond it the beam only grazes the ball, and the mixed pixels
 # behind its rim come near the surface again.
@@ -88,7 +88,7 @@ class SpherePatch:
     share : float
         Share of the whole surface that the points span.
     one_in : int
-        Of how many points about the seed one was looked at.
+        Of how many points about the seed one was examined.
     """
 
     indices: Indices

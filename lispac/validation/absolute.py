@@ -174,7 +174,7 @@ class AbsoluteCheck:
         Of the reference: shared by all of a scan; the usual one of points, which err each for
         themselves.
     reach : float, metres
-        How far from the reference a line was looked for.
+        How far from the reference a line was searched for.
     lines : tuple of LineCheck
     together : LineCheck
     not_compared : tuple of Message

@@ -1,6 +1,6 @@
 """Calibrations of one system in the order of time: has its mounting moved?
 
-Each calibration is held against the mean of those before it, as a control chart does (Shewhart
+Each calibration is compared with the mean of those before it, as a control chart does (Shewhart
 1931), with limits of three sigmas of that very difference: calibrations are not equally good. One
 that lies beyond them begins a new series, whose mean no longer knows the mounting as it was.
 """
@@ -56,7 +56,7 @@ class ChartedCalibration:
 
 
 def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibration, ...]:
-    """Hold each calibration against the mean of those before it.
+    """Compare each calibration with the mean of those before it.
 
     Parameters
     ----------

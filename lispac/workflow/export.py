@@ -124,7 +124,7 @@ def preview_report(
     ppi: float = 96.0,
     progress: Progress = no_progress,
 ) -> "Preview":
-    """The report as `write_report` makes it, to be looked at: its pages, and its PDF.
+    """The report as `write_report` makes it, to be examined: its pages, and its PDF.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def preview_report(
 
 
 def save_preview(preview: "Preview", path: Path) -> None:
-    """Write the PDF of what was looked at.
+    """Write the PDF of what was examined.
 
     Raises
     ------

@@ -59,7 +59,7 @@ class FileCheck:
 def looks(
     path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")
 ) -> list[FileCheck]:
-    """Look into a file as each format that it may be, the surest first.
+    """Examine a file as each possible format, the most likely first.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def _look(path: Path, format: Format, sure: float) -> FileCheck:
 
 
 def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
-    """Look into a file with the options that the user gives.
+    """Examine a file with the options that the user gives.
 
     There is no warning about a missing coordinate system where one is given, and a warning where
     the one given is not used.
@@ -93,7 +93,7 @@ def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
     Raises
     ------
     InputError
-        As the format's own look.
+        As the format's own examination.
     """
     finding = format.look(path, stated)
     crs = str(stated.get("crs", ""))

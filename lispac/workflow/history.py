@@ -1,4 +1,4 @@
-"""The calibrations of a vessel's system over the years, from the projects that hold them."""
+"""Calibrations of a vessel's system over the years, from projects."""
 
 import os
 import re

@@ -111,7 +111,7 @@ class Intake:
     # -- edits -------------------------------------------------------------------------------
 
     def with_files(self, paths: Iterable[Path]) -> "Intake":
-        """Add files that are not in the list yet; they wait to be looked into."""
+        """Add files that are not in the list yet; they wait to be examined."""
         known = {entry.path for entry in self.entries}
         new = tuple(Entry(path) for path in paths if path not in known)
         return replace(self, entries=self.entries + new)
@@ -127,7 +127,7 @@ class Intake:
         return replace(self, entries=with_stated_shifts(entries))
 
     def with_role(self, path: Path, role: Kind | None) -> "Intake":
-        """Give a file another role, in the surest format of it; it has to be looked into again."""
+        """Give a file another role, in the surest format of it; it has to be examined again."""
         entry = self.entry(path)
         if role == entry.role or entry.given is not None:
             return self
@@ -136,7 +136,7 @@ class Intake:
         return self.with_entry(replace(changed, pending=role is not None, content=None))
 
     def with_format(self, path: Path, key: str) -> "Intake":
-        """Read a file in another format; it has to be looked into again."""
+        """Read a file in another format; it has to be examined again."""
         entry = self.entry(path)
         chosen = next(format for format in entry.formats if format.key == key)
         return self.with_entry(

@@ -65,7 +65,7 @@ class Entry:
     ----------
     looks : tuple of FileCheck
         What each format that knows the file finds in it, the surest first; empty before the file
-        was looked into and where no format knows it.
+        was examined and where no format knows it.
     role : {"trajectory", "accuracy", "points"} or None
         None leaves the file out.
     format : Format or None
@@ -166,7 +166,7 @@ class Entry:
 def examined(
     path: Path, mappings: Mapping[str, str] | None = None, *, progress: Progress = no_progress
 ) -> Entry:
-    """Look into a file for the first time.
+    """Examine a file for the first time.
 
     Parameters
     ----------
@@ -202,7 +202,7 @@ def examined(
 
 
 def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entry:
-    """Look for the first time into a file that an open project has, as that reads it."""
+    """First examination of a file of an open project, with its reading options."""
     progress(0.0, gettext_lazy("Examining {file}", file=entry.path.name))
     assert entry.role is not None
     assert entry.given is not None
@@ -218,7 +218,7 @@ def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entr
 
 
 def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
-    """Look into a file with the role, format and options that the entry has now.
+    """Examine a file with the role, format and options that the entry has now.
 
     Raises
     ------

@@ -59,7 +59,7 @@ def with_stated_shifts(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
 
 
 def line_coverage(entry: Entry, trajectory: Trajectory, longest_gap: float) -> Coverage | None:
-    """How the trajectory covers what was looked at of a line, its shift applied."""
+    """How the trajectory covers what was examined of a line, its shift applied."""
     if not isinstance(entry.content, LineTimes):
         return None
     return coverage(entry.content.sample + entry.shift, trajectory.time, longest_gap)

@@ -109,7 +109,7 @@ def new_project(
 ) -> tuple[Project, Survey]:
     """Read the survey first, so that unusable files are reported, then create its project.
 
-    How each file is read is settled here, from what is given and what its format finds in it;
+    The reading options are completed here, from given and detected values;
     the survey's notes list what was detected.
 
     Parameters
@@ -191,7 +191,7 @@ def with_lines_added(
 ) -> tuple[Project, Survey]:
     """Add lines to a project and read its survey with them; what is picked and computed stays.
 
-    How each file is read is settled as in `new_project`. The project on disk is not changed.
+    The reading options are completed as in `new_project`. The project on disk is not changed.
 
     Raises
     ------

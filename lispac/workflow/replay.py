@@ -97,7 +97,7 @@ def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
     """Compare the sigmas of a survey with those predicted from its plan.
 
     Targets are those of the same name. Of the lines of the same heading each planned one is that
-    whose targets were measured at the distance nearest to the planned; what was sailed is foretold
+    whose targets were measured at the distance nearest to the planned; sailed lines are predicted
     with the distances that were sailed.
 
     Raises

@@ -146,7 +146,7 @@ def _new(project: Project, files: Files, *, settled: bool) -> str:
 
 
 def _found_again(project: Project, survey: Survey) -> bool:
-    """Whether looking into the files gives the project's readings, and notes the survey has.
+    """Whether the examination of the files gives the project's readings, and notes.
 
     This applies to a project that was just created; an opened one does not show these notes.
     """

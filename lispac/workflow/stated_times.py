@@ -41,7 +41,7 @@ def known_base(
     Raises
     ------
     InputError
-        Where the file cannot be looked into.
+        Where the file cannot be examined.
     """
     given = str(choice.get(option, ""))
     if not given:
@@ -57,7 +57,7 @@ def states_time(trajectory: Path, reading: Reading) -> bool:
     Raises
     ------
     InputError
-        Where the file cannot be looked into.
+        Where the file cannot be examined.
     """
     kept = dict(reading.options)
     stated = kept.pop("time", "")

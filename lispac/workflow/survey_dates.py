@@ -23,7 +23,7 @@ def survey_dates(project: Project, survey: Survey | None = None) -> str:
     Parameters
     ----------
     survey : Survey, optional
-        Where it is at hand, its times are taken; else the files are looked into, long ones here
+        Where it is at hand, its times are taken; else the files are examined, long ones here
         and there.
     """
     days: set[str] = set()

@@ -58,7 +58,7 @@ SOUGHT = 50_000
 shows where the plane is, and then all points that lie on it are taken."""
 
 ABOUT = 0.1
-"""Metres from a clicked point within which its neighbours are looked for."""
+"""Metres from a clicked point within which its neighbours are searched for."""
 
 UP = np.array([0.0, 0.0, 1.0])
 

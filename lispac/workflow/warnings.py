@@ -1,6 +1,6 @@
 """All warnings about an open project in one list, each with where its cause lies.
 
-Nothing is judged here that is judged elsewhere: the list holds the messages about the files, the
+No rules are applied here: the list contains the messages about the files, the
 sightings, the adjustment, the validation and the checks.
 """
 

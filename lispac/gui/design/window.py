@@ -99,7 +99,7 @@ class DesignWindow(QMainWindow):
 
     Parameters
     ----------
-    make_viewport : makes the 3D view when it is first looked at
+    make_viewport : makes the 3D view when it is first shown
     """
 
     closed = Signal()
@@ -262,7 +262,7 @@ class DesignWindow(QMainWindow):
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
     def fit(self) -> None:
-        """Look at all of it in 3D, which comes to the front."""
+        """Show the whole site in 3D, and bring the page to the front."""
         if self.views.currentWidget() is self._stage and self.view3d is not None:
             self.view3d.fit()
         else:

@@ -42,7 +42,7 @@ class Navigator(QObject):
     coarse : the thinned points (n, 3) of them, which are navigated by
     drawn : gives the points (n, 3) of them that are on the screen now, by which hovering looks
     station : ndarray of shape (3,), metres, local frame
-        Where "front" looks from.
+        Station of the view "front".
     """
 
     moved = Signal()  # the user moves the camera

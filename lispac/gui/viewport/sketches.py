@@ -18,7 +18,7 @@ from lispac.language import gettext
 REACH = 9.0
 """Pixels about a handle within which it is taken."""
 HOVER_MS = 40
-"""Stillness of the mouse after which what is under it is looked at."""
+"""Time at rest after which the point under the mouse is searched for."""
 LOOKED_AT = 250_000
 """Drawn points that are searched for the one under the resting mouse."""
 BELOW_HINT = 42.0

@@ -23,7 +23,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 LOCKED = 1e-8
-"""Cosine of the middle angle below which the outer two are not told apart."""
+"""Cosine of the middle angle below which the outer two are not distinguished."""
 NEARLY_LOCKED = np.cos(np.radians(80.0))
 ORTHOGONAL = 5e-6
 """How far a typed matrix may be from a rotation: what rounding to six decimals does."""
@@ -334,7 +334,7 @@ def angle_jacobian(setup: Setup, boresight: Array) -> Array | None:
 
     Returns
     -------
-    ndarray of shape (3, 3), no unit, or None where the system's outer angles are not told apart
+    ndarray of shape (3, 3), no unit, or None where the system's outer angles are not distinguished
     """
     mounting = Mounting(np.zeros(3), boresight)
     rotation = mounting.rotation_body_lidar

@@ -1,4 +1,4 @@
-"""The correction to settings that another program already holds: a product, never a sum."""
+"""Correction to the present settings of another program: a product, never a sum."""
 
 from dataclasses import dataclass
 

@@ -129,7 +129,7 @@ def checksum_of(path: Path) -> int:
 
 
 def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
-    """A column's values, shape (count, ...), mapped: read where they are looked at.
+    """A column's values, shape (count, ...), mapped: read where they are examined.
 
     Raises
     ------

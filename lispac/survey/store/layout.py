@@ -145,7 +145,7 @@ class SourceFile:
 
 @dataclass(frozen=True)
 class Manifest:
-    """What a stored line holds and what it was made from.
+    """Contents of a stored line and their source.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""A stored line: its columns as arrays that are read where they are looked at."""
+"""A stored line: its columns as arrays that are read where they are examined."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
