@@ -73,6 +73,86 @@ MESSAGES = {
     "en": ("Code", "Level", "English", "French"),
     "fr": ("Code", "Niveau", "Anglais", "Français"),
 }
+TITLES = {
+    "adjustment": ("Adjustment", "Compensation"),
+    "adjustment_warnings": (
+        "Warnings about targets and the result of an adjustment",
+        "Avertissements sur les cibles et le résultat d'une compensation",
+    ),
+    "calibration": (
+        "Picking targets and estimating the boresight",
+        "Désignation des cibles et estimation des angles de visée",
+    ),
+    "checking": ("Validation and patch test", "Validation et patch test"),
+    "commands": (
+        "Command line, scripts, window and report",
+        "Ligne de commande, scripts, fenêtre et rapport",
+    ),
+    "conventions": (
+        "Boresight in the convention of another program",
+        "Angles de visée dans la convention d'un autre logiciel",
+    ),
+    "file_checks": ("Checks of files", "Contrôles des fichiers"),
+    "file_contents": (
+        "Contents of files and assumptions of their readers",
+        "Contenu des fichiers et hypothèses de leurs lecteurs",
+    ),
+    "importing": ("Files of a survey and their points", "Fichiers d'un levé et leurs points"),
+    "importing_steps": ("Import of the lines of a project", "Import des lignes d'un projet"),
+    "items": (
+        "Quantities and items of lists in messages",
+        "Grandeurs et éléments de listes dans les messages",
+    ),
+    "output": ("Exported files and reports", "Fichiers exportés et rapports"),
+    "planning": ("Survey design and simulation", "Préparation d'un site et simulation"),
+    "planning_steps": (
+        "Survey plans, simulations and clusters of computers",
+        "Projets de levé, simulations et calcul sur plusieurs machines",
+    ),
+    "point_files": (
+        "Reading and writing files, and files of points",
+        "Lecture et écriture de fichiers, et fichiers de points",
+    ),
+    "program": (
+        "The program, its folders and other computers",
+        "Le programme, ses dossiers et d'autres ordinateurs",
+    ),
+    "project_warnings": (
+        "Warnings about an open project",
+        "Avertissements sur un projet ouvert",
+    ),
+    "projects": (
+        "Projects: files, settings, targets and descriptions",
+        "Projets : fichiers, réglages, cibles et descriptions",
+    ),
+    "report_warnings": (
+        "Warnings on page one of a report",
+        "Avertissements de la page un d'un rapport",
+    ),
+    "settings_files": ("TOML and JSON files", "Fichiers TOML et JSON"),
+    "store": (
+        "Imported lines in the project folder",
+        "Lignes importées dans le dossier du projet",
+    ),
+    "survey": (
+        "Coordinate systems, times, points and conventions",
+        "Systèmes de coordonnées, temps, points et conventions",
+    ),
+    "targets": ("Targets and their search", "Cibles et leur recherche"),
+    "text_files": (
+        "Text files, lists of seeds, static scans and plane files",
+        "Fichiers texte, listes de points initiaux, balayages statiques et fichiers de plans",
+    ),
+    "trajectories": (
+        "Trajectory and accuracy files",
+        "Fichiers de trajectoires et de précisions",
+    ),
+    "workflow": (
+        "Projects, checks, history and sensors",
+        "Projets, contrôles, historique et capteurs",
+    ),
+}
+"""Headings of the tables of messages by topic, in English and French."""
 PANELS: dict[str, Callable[[], QWidget]] = {
     "data": DataPanel, "targets": TargetsPanel, "adjust": AdjustPanel, "validate": ValidatePanel,
     "histograms": HistogramsPanel, "report": ReportPanel, "convention": ConventionPanel,
@@ -283,7 +363,7 @@ def _messages(language: str) -> str:
             (f"`{code}`", ", ".join(sorted(levels.get(code, ()))), *_shown(template))
             for code, template in sorted(topic.TEXTS.items())
         ]
-        title = topic.__doc__.split("\n")[0].rstrip(".")
+        title = TITLES[topic.__name__.rpartition(".")[2]][list(WORDS).index(language)]
         parts.append(f"## {title}\n\n{_table(MESSAGES[language], rows)}")
     return "\n".join(parts)
 
