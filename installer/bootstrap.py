@@ -1,15 +1,15 @@
-"""Sets LISPAC up in this checkout and starts it; needs nothing but Python.
+"""Sets up LISPAC in this checkout and starts it; requires only Python.
 
-    python3 installer/bootstrap.py demo       the whole way on the built-in survey
-    python3 installer/bootstrap.py run        the program (with a project folder, if one is given)
-    python3 installer/bootstrap.py test       linting, typing, import rules and tests
-    python3 installer/bootstrap.py lint       the same without the tests
-    python3 installer/bootstrap.py benchmark  the benchmarks, which print times
-    python3 installer/bootstrap.py bundle     a folder in dist/ that runs without Python
+    python3 installer/bootstrap.py demo       calibrate the demonstration survey
+    python3 installer/bootstrap.py run        open the program (and a project folder, if given)
+    python3 installer/bootstrap.py test       run linting, typing, import rules and tests
+    python3 installer/bootstrap.py lint       run the same checks without the tests
+    python3 installer/bootstrap.py benchmark  run the benchmarks and print times
+    python3 installer/bootstrap.py bundle     build a folder in dist/ that runs without Python
 
-The first start makes the environment .venv in the checkout and installs the locked dependencies;
-later ones find everything in place. Nothing is written but .venv and the user's cache folder (and,
-on Linux as root, the system packages that are missing); `bundle` writes to build/ and dist/.
+The first start creates the environment .venv in the checkout and installs the locked dependencies;
+later starts use them. Only .venv and the user's cache folder are written (and, on Linux as root,
+missing system packages are installed); `bundle` writes to build/ and dist/.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ HANGING = [
 
 
 def python_complaint(version: tuple[int, int]) -> str | None:
-    """Why this Python cannot be used, or None where it can."""
+    """Reason why this Python is not supported, or None."""
     if OLDEST_PYTHON <= version <= NEWEST_PYTHON:
         return None
     span = f"{OLDEST_PYTHON[0]}.{OLDEST_PYTHON[1]} to {NEWEST_PYTHON[0]}.{NEWEST_PYTHON[1]}"
     return (
-        f"LISPAC needs Python {span}, this is {version[0]}.{version[1]}: "
-        "start this script with one of those, for example python3.12 installer/bootstrap.py"
+        f"LISPAC needs Python {span}, but this is {version[0]}.{version[1]}. "
+        "Start this script with a supported version, for example python3.12 installer/bootstrap.py"
     )
 
 
@@ -68,7 +68,7 @@ def has_display(platform: str, variables: Mapping[str, str]) -> bool:
 
 
 def ensure_system(kind: str) -> None:
-    """On Linux, has the missing system libraries installed or says how to."""
+    """On Linux, installs missing system libraries or reports how to install them."""
     if not sys.platform.startswith("linux"):
         return
     missing = system_packages.missing_packages(for_tests=kind == "test")
@@ -129,14 +129,16 @@ def parser() -> argparse.ArgumentParser:
         prog="bootstrap.py", description=__doc__, formatter_class=form, allow_abbrev=False
     )
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    demo = commands.add_parser("demo", help="the whole way on the built-in survey")
+    demo = commands.add_parser("demo", help="calibrate the demonstration survey")
     demo.add_argument("--output", type=Path, metavar="DIR", help="folder for survey and report")
     run = commands.add_parser("run", help="start the program")
     run.add_argument("project", nargs="?", metavar="PROJECT", help="project folder to open")
-    bundle = commands.add_parser("bundle", help="a folder in dist/ that runs without Python")
-    bundle.add_argument("--no-archive", action="store_true", help="the folder only, unpacked")
-    commands.add_parser("lint", help="linting, typing and import rules")
-    for name, text in (("test", "all checks and the tests"), ("benchmark", "the benchmarks")):
+    bundle = commands.add_parser("bundle", help="build a folder in dist/ that runs without Python")
+    bundle.add_argument(
+        "--no-archive", action="store_true", help="build the folder only, no archive"
+    )
+    commands.add_parser("lint", help="run linting, typing and import rules")
+    for name, text in (("test", "run all checks and tests"), ("benchmark", "run the benchmarks")):
         check = commands.add_parser(
             name, help=text, usage=f"bootstrap.py {name} [PYTEST ARGUMENT...]"
         )
@@ -173,14 +175,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
             output = options.output or cache / "demo"
             return subprocess.call(demo_command(output, display), env=variables)
         if not display:
-            raise SetupError("There is no display for the window; `demo` runs without one.")
+            raise SetupError(
+                "No display was found, so the window cannot open. `demo` runs without a display."
+            )
         project = [options.project] if options.project else []
         return subprocess.call([script("python"), "-m", "lispac.gui", *project], env=variables)
     except (SetupError, system_packages.PackagesMissingError) as error:
         print(error, file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("Stopped. The same command starts again where it has to.", file=sys.stderr)
+        print("Stopped. Run the same command again to continue.", file=sys.stderr)
         return 130
 
 

@@ -1,4 +1,4 @@
-"""The private environment .venv of a checkout: what is in it, what has to be, and how to get there.
+"""The private environment .venv of a checkout: its state, its required state, and the update.
 
 What was installed is kept in a stamp file that is written last. Where it matches the lock file and
 the project, nothing is done; where it is unfinished, the environment is made from nothing.
@@ -28,7 +28,7 @@ PROJECT_FILES = ("pyproject.toml", "lispac/__init__.py")
 
 
 class SetupError(Exception):
-    """The environment cannot be made; the message says why in a sentence."""
+    """The environment cannot be created; the message gives the reason."""
 
 
 def say(line: str) -> None:
@@ -72,7 +72,7 @@ def script(name: str, platform: str = sys.platform) -> str:
 def child_variables(
     variables: Mapping[str, str], cache: Path, *, testing: bool = False
 ) -> dict[str, str]:
-    """The environment variables of everything started here: caches go where they may.
+    """Environment variables of all programs started here, with permitted cache folders.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def digest(*paths: Path) -> str:
 
 
 def wanted_state(checkout: Path = CHECKOUT) -> dict[str, Any]:
-    """What the stamp says once everything is installed for tests."""
+    """Contents of the stamp after a complete installation for tests."""
     installer = checkout / "installer"
     return {
         # Scripts of an environment hold its path, so a moved checkout needs a new one.
@@ -126,7 +126,7 @@ def wanted_state(checkout: Path = CHECKOUT) -> dict[str, Any]:
 
 
 def read_stamp(path: Path) -> dict[str, Any] | None:
-    """What an earlier start finished, or None where nothing was or it was interrupted."""
+    """Stamp of an earlier complete installation, or None."""
     try:
         state = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -135,7 +135,7 @@ def read_stamp(path: Path) -> dict[str, Any] | None:
 
 
 def steps_needed(installed: dict[str, Any] | None, wanted: dict[str, Any], kind: str) -> list[str]:
-    """Which of "environment", "dependencies" and "project" have to be made anew.
+    """Which of "environment", "dependencies" and "project" must be created again.
 
     Parameters
     ----------
@@ -154,14 +154,14 @@ def steps_needed(installed: dict[str, Any] | None, wanted: dict[str, Any], kind:
 
 
 def write_stamp(state: dict[str, Any], path: Path) -> None:
-    """Replaces the stamp in one step, so that it is either whole or absent."""
+    """Replaces the stamp atomically, so that it is either complete or absent."""
     draft = path.with_suffix(".part")
     draft.write_text(json.dumps(state, indent=1), encoding="utf-8")
     draft.replace(path)
 
 
 def pip_variables(variables: Mapping[str, str]) -> dict[str, str]:
-    """The environment variables under which pip runs: it asks nothing and stays in .venv."""
+    """Environment variables of pip: no questions, and only .venv is changed."""
     return {
         **variables,
         "PIP_DISABLE_PIP_VERSION_CHECK": "1",
@@ -174,7 +174,7 @@ def pip_variables(variables: Mapping[str, str]) -> dict[str, str]:
 
 
 def make_environment() -> None:
-    """Makes .venv from nothing.
+    """Creates a new .venv.
 
     Raises
     ------
@@ -183,19 +183,18 @@ def make_environment() -> None:
     """
     if (ENVIRONMENT / "pyvenv.cfg").exists() and not STAMP.exists():
         raise SetupError(
-            f"{ENVIRONMENT} is an environment that this script did not make: "
-            "move or remove it, then start again"
+            f"{ENVIRONMENT} was not created by this script. Move or remove it, then start again."
         )
     if ENVIRONMENT.exists():
         shutil.rmtree(ENVIRONMENT)
     ENVIRONMENT.mkdir(parents=True)
     write_stamp({"state": "unfinished"}, STAMP)
-    say(f"Making the environment {ENVIRONMENT.name}")
+    say(f"Creating the environment {ENVIRONMENT.name}")
     command = [sys.executable, "-m", "venv", str(ENVIRONMENT)]
     variables = pip_variables(os.environ)
     done = subprocess.run(command, env=variables, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise SetupError(f"Python cannot make an environment: {done.stdout}{done.stderr}".strip())
+        raise SetupError(f"Python cannot create an environment: {done.stdout}{done.stderr}".strip())
 
 
 def pip_progress(lines: Iterable[str], total: int, report: Callable[[str], None]) -> None:
@@ -215,7 +214,7 @@ def pip_progress(lines: Iterable[str], total: int, report: Callable[[str], None]
 
 
 def pip_command() -> list[str]:
-    """What every install starts with; bytecode is compiled where and when it is needed."""
+    """Common part of the pip commands; bytecode is compiled when needed."""
     return [script("python"), "-m", "pip", "install", "--progress-bar", "off", "--no-compile"]
 
 
@@ -249,18 +248,18 @@ def run_pip(arguments: Sequence[str], variables: Mapping[str, str], total: int) 
     if process.returncode != 0:
         tail = "\n    ".join(line for line in output[-12:] if line)
         raise SetupError(
-            f"Installing the dependencies failed (all of pip's output is in {INSTALL_LOG}):"
-            f"\n    {tail}\nStart the same command again once the cause is mended."
+            f"The installation of the dependencies failed (full output of pip: {INSTALL_LOG}):"
+            f"\n    {tail}\nCorrect the cause, then run the same command again."
         )
 
 
 def requirement_count(lock: Path) -> int:
-    """How many packages a lock file names."""
+    """Number of packages in a lock file."""
     return len(re.findall(r"^[A-Za-z0-9][^\s=]*==", lock.read_text(encoding="utf-8"), re.MULTILINE))
 
 
 def ensure_installed(kind: str, cache: Path) -> None:
-    """Brings the environment up to date for a kind of `LOCKS`; does nothing where it is."""
+    """Updates the environment for a kind of `LOCKS`, if needed."""
     wanted = wanted_state()
     installed = read_stamp(STAMP)
     steps = steps_needed(installed, wanted, kind)

@@ -187,17 +187,17 @@ def ensure(
         names = " ".join(choose_names(missing, knows=lambda _name: False))
         raise PackagesMissingError(
             f"This system lacks {what}.\n"
-            "Install them with its package manager and start again; "
-            f"Debian and Ubuntu call the packages:\n    {names}"
+            "Install them with its package manager and start again. "
+            f"Names of the packages on Debian and Ubuntu:\n    {names}"
         )
     if not root:
         command = shlex.join(["sudo", *install_command(choose_names(missing))])
         raise PackagesMissingError(
             f"This system lacks {what}.\n"
-            "Installing system packages needs an administrator. Run this, then start again:\n"
+            "Only an administrator can install them. Run this command, then start again:\n"
             f"    sudo apt-get update && {command}"
         )
-    say(f"System libraries: {len(missing)} missing, installing by apt-get")
+    say(f"System libraries: {len(missing)} missing, installing with apt-get")
     run_apt([apt_get, "update"])
     run_apt([apt_get, *install_command(choose_names(missing))[1:]])
 

@@ -11,7 +11,7 @@ validated, and a report is written::
     harbour.report("boresight.pdf")
     harbour.save()
 
-``resources/manual/en/scripts.md`` tells all steps. What stands in ``__all__`` is for scripts and is
+``resources/manual/en/scripts.md`` describes all steps. What is in ``__all__`` is for scripts and is
 kept from version to version; the rest is the program's own.
 """
 
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from lispac.workflow.batch import batch as batch
     from lispac.workflow.point_numbers import point_numbers as point_numbers
 
-# Imported when first asked for: the command line asks for the version alone.
+# Imported on first use: the command line asks for the version alone.
 _WHERE = {
     "ExpectedTarget": "lispac.targets.expected",
     "FinderChoices": "lispac.targets.settings",
@@ -73,7 +73,7 @@ def __getattr__(name: str) -> Any:
 
 
 def _use_cache() -> None:
-    """Tell Numba where compiled code goes, before it is imported; warn where that is temporary."""
+    """Set the folder of Numba's compiled code before the import; warn if it is temporary."""
     import os
     import warnings
 

@@ -23,9 +23,9 @@ NAME = "lispac"
 """Of our folder in the chosen one."""
 DEMO = "demo"
 MANUAL, MANUAL_MARK = "manual", "made-by-lispac"
-"""Folder of the built manual, and the file in it that says whose it is."""
+"""Folder of the built manual, and the file in it that marks its owner."""
 VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
-"""Parts of the cache that other packages fill, by the variable that tells them where."""
+"""Parts of the cache that other packages fill, by the variable that sets their place."""
 
 
 def usual_folder() -> Path:
@@ -156,7 +156,7 @@ def empty(place: Path) -> None:
 
 
 def use(variables: MutableMapping[str, str]) -> Message | None:
-    """Tell the packages that keep something where to; what is set already and can be used stays.
+    """Set the cache folders of other packages; usable existing settings are kept.
 
     Parameters
     ----------

@@ -20,11 +20,11 @@ from lispac.picks import PickedSighting, Target
 from lispac.project import Project
 
 SHARED = 0.1
-"""Share of the points in common from which two targets are told of."""
+"""Share of common points from which two targets are reported."""
 SAME = 0.3
 """Share from which both are the same surface."""
 PROBED = 1000
-"""Points of a sighting that tell whether it has any in common with another."""
+"""Points of a sighting that are checked for common points with another."""
 
 
 @dataclass(frozen=True)
@@ -238,7 +238,7 @@ def _share(first: NDArray[np.int64], second: NDArray[np.int64]) -> float:
     small, large = sorted((first, second), key=len)
     if not len(small):
         return 0.0
-    # Most pairs have nothing in common, and some of the points tell that.
+    # Most pairs have no common points, which some of the points show.
     share = _within(small[:: 1 + len(small) // PROBED], large)
     return share if share < SHARED / 2 else _within(small, large)
 

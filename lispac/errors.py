@@ -110,7 +110,7 @@ class TargetDisagrees(RankDeficient):
 
 
 class NotConverged(AdjustmentError):
-    """The iterations did not settle."""
+    """The iterations did not converge."""
 
 
 class Cancelled(Exception):

@@ -26,7 +26,7 @@ class Level(StrEnum):
     ERROR = "error"
     """The result cannot be used, or a file cannot be read."""
     WARNING = "warning"
-    """The result may be wrong or less precise than stated."""
+    """The result may be wrong or less precise than given."""
     NOTE = "note"
     """Something to know or to check; the result can be used."""
 
@@ -129,7 +129,7 @@ def error(
 def warning(
     code: str, /, *, subject: Cause | None = None, actions: Sequence[Action] = (), **params: Value
 ) -> Message:
-    """A message that a result may be wrong or less precise than stated."""
+    """A message that a result may be wrong or less precise than given."""
     return Message(code, Level.WARNING, params, subject, tuple(actions))
 
 

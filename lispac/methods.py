@@ -12,7 +12,7 @@ from lispac.validation.repeatability import Calibration, Difference, difference
 
 TARGETS = "targets"
 FAR = 50.0
-"""Metres at which it is said what a difference does to a point."""
+"""Distances, metres, at which the effect of a difference on a point is given."""
 
 NAMES: Mapping[str, str] = {
     TARGETS: "method.targets",
@@ -25,7 +25,7 @@ NAMES: Mapping[str, str] = {
 
 @dataclass(frozen=True, eq=False)
 class MethodResult:
-    """What one method says.
+    """Result of one method.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class MethodResult:
 
 
 def answers(project: Project) -> tuple[MethodResult, ...]:
-    """The answers that there are, that of the targets first; each is held against the first."""
+    """Available results, that of the targets first; each is compared with the first."""
     found: list[MethodResult] = []
 
     def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:
@@ -74,7 +74,7 @@ def answers(project: Project) -> tuple[MethodResult, ...]:
 
 
 def missing(project: Project) -> tuple[Method, ...]:
-    """Methods that have not been asked yet."""
+    """Methods without a result."""
     return tuple(method for method in METHODS if project.opinion(method) is None)
 
 

@@ -34,7 +34,7 @@ class PickedSighting:
     used : bool
         Whether the sighting takes part.
     one_in : int
-        Of how many points about the seed one was looked at: 1 where all were.
+        Of how many points about the seed one was examined: 1 where all were.
     by_hand : bool
         Whether points were added or taken away by hand; they are then not selected again.
     """

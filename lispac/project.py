@@ -1,7 +1,7 @@
 """The project: an immutable value of paths, settings, picks and results.
 
 Every edit gives a new value and drops the results that no longer follow from it, so that undo is
-the old value and a stale answer cannot be shown.
+the old value and an outdated result cannot be shown.
 """
 
 import math
@@ -71,7 +71,7 @@ class Settings:
         for the mean of the trajectory
     position_sigma : north, east, down in metres, where no accuracy file is given
     attitude_sigma_deg : roll, pitch, heading in degrees, where no accuracy file is given
-    lidar_sigma : metres on each axis, where nothing finer is stated
+    lidar_sigma : metres on each axis, where nothing finer is given
     lidar_sigma_xyz : metres along x, y, z of the LiDAR
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
     range_offset : metres, scan_angle_offset_deg : degrees, latency : seconds
@@ -84,7 +84,7 @@ class Settings:
     variance_components : whether to estimate how large LiDAR and POS errors really are
     accept_one_facing : whether to answer where all targets are planes that face one way
     longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
-        gaps are left out
+        gaps are excluded
     """
 
     lever_arm: Triple
@@ -111,7 +111,7 @@ class Settings:
 
     @property
     def stochastic_model(self) -> StochasticModel:
-        """Model of the errors that these settings ask for."""
+        """Model of the errors of these settings."""
         loss = self.loss or ("tukey" if self.pos_errors == "correlated" else "none")
         return StochasticModel(
             self.pos_errors, self.position_time, self.attitude_time, self.surface, loss
@@ -226,7 +226,7 @@ def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit
 
 @dataclass(frozen=True, eq=False)
 class Project:
-    """Everything a project folder holds; paths are absolute here and relative on disk."""
+    """Contents of a project folder; paths are absolute here and relative on disk."""
 
     folder: Path
     trajectory: Path
@@ -238,7 +238,7 @@ class Project:
     cross_checks: CrossChecks | None = None
     validation: tuple[PlaneComparison, ...] = ()
     not_compared: Mapping[str, Message] = field(default_factory=dict)
-    """For each validation plane that could not be compared, the reason in words."""
+    """Reason for each validation plane that could not be compared."""
     truth_deg: Triple | None = None
     """Boresight put into a simulated survey; None for a real one."""
     trajectory_reading: Reading = USUAL
@@ -247,7 +247,7 @@ class Project:
     absolute: AbsoluteCheck | None = None
     """The lines against a static scan or surveyed points, where that has been checked."""
     opinions: tuple[Opinion, ...] = ()
-    """What other methods say of the same lines, one of each method at most."""
+    """Results of alternative methods on the same lines, at most one of each method."""
     data_messages: tuple[Message, ...] = ()
     """Warnings and notes about the imported files, as of the last time they were read."""
     file_digest: str = field(default="", compare=False, repr=False)
@@ -337,7 +337,7 @@ class Project:
         return self._edited(tuple(t for t in self.targets if t.name != name), {gone.role})
 
     def with_identity(self, identity: Identity) -> "Project":
-        """Change what the report says of who, when and with what; nothing is computed from it."""
+        """Change the details for the report; they are not used in computations."""
         return replace(self, identity=identity)
 
     def with_settings(self, settings: Settings) -> "Project":
@@ -348,13 +348,13 @@ class Project:
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
-        """Keep an adjustment; a validation of another one no longer holds."""
+        """Keep an adjustment; a validation of another one is discarded."""
         return replace(
             self, result=result, cross_checks=None, validation=(), not_compared={}, absolute=None
         )
 
     def with_cross_checks(self, checks: CrossChecks) -> "Project":
-        """Keep what parts of the data say by themselves."""
+        """Store the cross-checks with parts of the data."""
         return replace(self, cross_checks=checks)
 
     def with_validation(
@@ -372,11 +372,11 @@ class Project:
         return replace(self, absolute=absolute)
 
     def opinion(self, method: Method) -> Opinion | None:
-        """What a method says; None where it has not been asked."""
+        """Result of a method; None if it was not run."""
         return next((each for each in self.opinions if each.method == method), None)
 
     def with_opinion(self, opinion: Opinion) -> "Project":
-        """Keep what a method says, in place of what it said before."""
+        """Store the result of a method in place of its former one."""
         others = [each for each in self.opinions if each.method != opinion.method]
         kept = sorted([*others, opinion], key=lambda each: METHODS.index(each.method))
         return replace(self, opinions=tuple(kept))

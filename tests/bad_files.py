@@ -230,20 +230,20 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@refused("Wrong magic: a file that only ends in .las")
+@refused("Wrong file signature: only the extension is .las")
 def _(scene: Scene) -> Words:
     data = (scene / "L1.las").read_bytes()
     (scene / "L1.las").write_bytes(b"XXXX" + data[4:])
     return scene.new()
 
 
-@refused("A file of no known format")
+@refused("File of an unknown format")
 def _(scene: Scene) -> Words:
     (scene / "letter.txt").write_text("Dear all,\nthe survey went well.\n" * 20)
     return scene.look("letter.txt")
 
 
-@refused("A line without GPS time")
+@refused("Line without GPS time")
 def _(scene: Scene) -> Words:
     header = laspy.LasHeader(point_format=0, version="1.2")
     data = laspy.LasData(header)
@@ -252,13 +252,13 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@doubted("Trajectory of another byte order")
+@doubted("Trajectory with another byte order")
 def _(scene: Scene) -> Words:
     write_records(scene / "pos.sbet", vessel(2000), order=">")
     return scene.look("pos.sbet")
 
 
-@refused("Line of another byte order")
+@refused("Line with another byte order")
 def _(scene: Scene) -> Words:
     ply(scene / "L1.ply", points(), order="big")
     return scene.new("L1.ply")
@@ -266,11 +266,11 @@ def _(scene: Scene) -> Words:
 
 # Numbers that are none.
 
-refused("Not a number in the trajectory")(changed(put(4, 8, np.nan)))
+refused("NaN in the trajectory")(changed(put(4, 8, np.nan)))
 refused("Infinity in the trajectory")(changed(put(6, 1, np.inf)))
 
 
-@refused("Values of a line that are not numbers")
+@refused("NaN or infinity in a line")
 def _(scene: Scene) -> Words:
     values = points()
     values[41::2, 2] = np.inf
@@ -281,16 +281,16 @@ def _(scene: Scene) -> Words:
 # Times.
 
 refused("Duplicate time in the trajectory")(changed(put(5, 0, START + 0.08)))
-refused("Backward time in the trajectory")(changed(put(5, 0, START)))
+refused("Decreasing time in the trajectory")(changed(put(5, 0, START)))
 refused("Non-monotonic SBET: two missions in one file")(
     changed(lambda records: records.__setitem__((slice(1000, None), 0), records[:1000, 0]))
 )
-refused("Trajectory times that went through 32 bits")(
+refused("Trajectory times converted from 32 bits")(
     changed(lambda records: records.__setitem__((..., 0), records[:, 0].astype(np.float32)))
 )
 
 
-@refused("Backward time in a text trajectory")
+@refused("Decreasing time in a text trajectory")
 def _(scene: Scene) -> Words:
     path = write_delph(scene / "nav.txt", vessel(200))
     lines = path.read_text().splitlines()
@@ -299,7 +299,7 @@ def _(scene: Scene) -> Words:
     return scene.new(trajectory="nav.txt")
 
 
-@doubted("Backward times in a line")
+@doubted("Decreasing times in a line")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES[::-1])
     return scene.look("L1.las")
@@ -311,7 +311,7 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.ply")
 
 
-@doubted("Line times that went through 32 bits")
+@doubted("Line times converted from 32 bits")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES.astype(np.float32).astype(np.float64))
     return scene.look("L1.las")
@@ -343,17 +343,17 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@refused("Stated time base that the times cannot be in")
+@refused("Given time base that contradicts the times")
 def _(scene: Scene) -> Words:
     return scene.new("L1.las", "--line-option", "time_base=utc-day")
 
 
-@refused("Stated time base and another time shift")
+@refused("Given time base and a different time shift")
 def _(scene: Scene) -> Words:
     return scene.new("L1.las", "--line-option", "time_base=utc-week", "--time-shift", "5")
 
 
-@refused("Accuracies of another byte order")
+@refused("Accuracies with another byte order")
 def _(scene: Scene) -> Words:
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     rows[:, 0] = 486_000 + np.arange(41)

@@ -18,7 +18,7 @@ from tests.trajectory_files import vessel, write_records
 # Units, places, coordinate systems.
 
 
-@refused("Degrees for radians")
+@refused("Degrees instead of radians")
 def _(scene: Scene) -> Words:
     records = vessel(2000)
     angles = [1, 2, 7, 8, 9, 10]
@@ -27,13 +27,13 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.las", "--trajectory-option", "unit=radians")
 
 
-@doubted("Degrees for radians, looked at")
+@doubted("Degrees instead of radians, detected by lispac look")
 def _(scene: Scene) -> Words:
-    REFUSED["Degrees for radians"](scene)
+    REFUSED["Degrees instead of radians"](scene)
     return scene.look("pos.sbet")
 
 
-@doubted("Feet for metres in a line")
+@doubted("Feet instead of metres in a line")
 def _(scene: Scene) -> Words:
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, 0.0003048)
@@ -44,7 +44,7 @@ def _(scene: Scene) -> Words:
     return scene.look("L1.las")
 
 
-@doubted("Millimetres for metres in a line")
+@doubted("Millimetres instead of metres in a line")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES, fan(COUNT) * 1000 / 3)
     return scene.look("L1.las")
@@ -57,19 +57,19 @@ def exchanged(scene: Scene, north: float = 0.0) -> None:
     write_records(scene / "pos.sbet", records)
 
 
-@refused("Swapped latitude and longitude, past the pole")
+@refused("Exchanged latitude and longitude, latitude above 90 deg")
 def _(scene: Scene) -> Words:
     exchanged(scene, 50)
     return scene.new("L1.las", "--trajectory-option", "order=latitude-longitude")
 
 
-@doubted("Swapped latitude and longitude, both on Earth")
+@doubted("Exchanged latitude and longitude, both possible")
 def _(scene: Scene) -> Words:
     exchanged(scene)
     return scene.look("pos.sbet")
 
 
-@refused("Swapped latitude and longitude in a text trajectory")
+@refused("Exchanged latitude and longitude in a text trajectory")
 def _(scene: Scene) -> Words:
     rows = [f"{START + k / 10:.1f} -123.5 45.5 10 0 0 90" for k in range(300)]
     (scene / "nav.txt").write_text("\n".join(rows) + "\n")
@@ -86,7 +86,7 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@refused("Unknown coordinate system: no such code")
+@refused("Unknown coordinate system: the code does not exist")
 def _(scene: Scene) -> Words:
     scene.made()
     return scene.to_map("out", "--crs", "EPSG:999999")
@@ -98,7 +98,7 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@doubted("Wrong coordinate system asked for: meant for another part of the world")
+@doubted("Wrong output coordinate system: intended for another part of the world")
 def _(scene: Scene) -> Words:
     scene.made()
     return scene.to_map("out", "--crs", "EPSG:32633")
@@ -130,7 +130,7 @@ def _(scene: Scene) -> Words:
     return scene.to_map("disk/out")
 
 
-@refused("A file where the output folder should be")
+@refused("File with the name of the output folder")
 def _(scene: Scene) -> Words:
     scene.made()
     return scene.to_map("L1.las/out")
@@ -177,7 +177,7 @@ def removed(name: str, command: Callable[[Scene, str], Words]) -> Case:
     return case
 
 
-@refused("A file of the survey where the output should go")
+@refused("Output with the name of a survey file")
 def _(scene: Scene) -> Words:
     project = scene.made()
     return ["export", project, "--what", "trajectory", "--output", str(scene / "L1.las")]
@@ -196,7 +196,7 @@ def wall(scene: Scene, count: int = COUNT) -> Path:
     return write_line(scene / "L1.las", TIMES[:count], points)
 
 
-@refused("Line changed after a target was picked on it")
+@refused("Line changed after a target was picked")
 def _(scene: Scene) -> Words:
     wall(scene)
     project = scene.made()
@@ -229,16 +229,16 @@ def shorten(path: Path) -> None:
     os.truncate(path, 40_000)
 
 
-refused("File removed while it is imported")(while_read(Path.unlink, lambda _, p: ["import", p]))
-refused("File cut while it is imported")(while_read(shorten, lambda _, p: ["import", p]))
-refused("File cut while it is georeferenced")(while_read(shorten, lambda s, _: s.to_map()))
+refused("File removed during the import")(while_read(Path.unlink, lambda _, p: ["import", p]))
+refused("File cut short during the import")(while_read(shorten, lambda _, p: ["import", p]))
+refused("File cut short during georeferencing")(while_read(shorten, lambda s, _: s.to_map()))
 
 
 REMEDIES = {
     "Mixed time bases: line in time of day, trajectory in time of week": "--time-shift 432000",
     "Mixed time bases: trajectory in adjusted standard GPS time": "--time-shift 330560000",
-    "Degrees for radians": "--trajectory-option unit=degrees",
-    "Swapped latitude and longitude, past the pole": (
+    "Degrees instead of radians": "--trajectory-option unit=degrees",
+    "Exchanged latitude and longitude, latitude above 90 deg": (
         "--trajectory-option order=longitude-latitude"
     ),
     "Unknown coordinate system: none in the file": "--line-option crs=EPSG:32618",

@@ -42,7 +42,7 @@ def held(scene: Scene) -> dict[str, bytes | None]:
 def rows(language: str = "en") -> dict[str, tuple[str, str, str]]:
     """Rows of the table: what is wrong to what is said, what to do and what is kept."""
     found: dict[str, tuple[str, str, str]] = {}
-    heads = ("What is wrong", "Ce qui ne va pas")
+    heads = ("Problem", "Problème")
     for line in (MANUAL / language / "bad-input.md").read_text(encoding="utf-8").splitlines():
         cells = [cell.strip().replace(r"\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
         if len(cells) == 4 and not set(cells[0]) <= set("-: ") and cells[0] not in heads:

@@ -111,7 +111,7 @@ def scratch_environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path
 def test_foreign_environment_is_left_alone(scratch_environment: Path) -> None:
     scratch_environment.mkdir()
     (scratch_environment / "pyvenv.cfg").write_text("mine")
-    with pytest.raises(environment.SetupError, match="did not make"):
+    with pytest.raises(environment.SetupError, match="was not created"):
         environment.make_environment()
     assert (scratch_environment / "pyvenv.cfg").read_text() == "mine"
 

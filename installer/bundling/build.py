@@ -24,7 +24,7 @@ INNO_SETUP = ("iscc", r"C:\Program Files (x86)\Inno Setup 6\ISCC.exe")
 
 
 class BundleError(Exception):
-    """The bundle is not fit to be handed on; the message says why."""
+    """The bundle cannot be distributed; the message gives the reason."""
 
 
 def say(line: str) -> None:
@@ -56,7 +56,7 @@ def run_pyinstaller() -> None:
     command += ["--workpath", str(BUILD / "work"), "--distpath", str(BUILD / "dist"), str(SPEC)]
     done = subprocess.run(command, cwd=names.CHECKOUT, check=False)
     if done.returncode != 0:
-        raise BundleError("PyInstaller failed; what it says stands above.")
+        raise BundleError("PyInstaller failed; its messages are above.")
 
 
 def build_manual() -> None:
@@ -118,7 +118,9 @@ def share_one_file(programs: Sequence[Path]) -> None:
     first, *others = programs
     for other in others:
         if other.read_bytes() != first.read_bytes():
-            raise BundleError(f"{other.name} and {first.name} differ and would not share a cache.")
+            raise BundleError(
+                f"{other.name} and {first.name} differ, so they cannot share a cache."
+            )
         other.unlink()
         os.link(first, other)
 
@@ -133,7 +135,9 @@ def require_fit(folder: Path) -> None:
     places = [path.relative_to(folder).as_posix() for path in folder.rglob("*")]
     found = trimming.unwanted(places)
     if found:
-        raise BundleError("The bundle holds what it must not: " + ", ".join(sorted(found)[:10]))
+        raise BundleError(
+            "The bundle contains files that are not allowed: " + ", ".join(sorted(found)[:10])
+        )
     program = folder / f"{names.COMMAND_LINE}{sysconfig.get_config_var('EXE') or ''}"
     # Nothing of this environment but what no program of Windows can do without
     kept = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
@@ -141,7 +145,7 @@ def require_fit(folder: Path) -> None:
         [str(program), "--version"], capture_output=True, text=True, check=False, env=kept
     )
     if done.stdout.strip() != f"lispac {names.version()}":
-        raise BundleError(f"{program} --version says: {done.stdout}{done.stderr}")
+        raise BundleError(f"{program} has a wrong version: {done.stdout}{done.stderr}")
 
 
 def archive(folder: Path) -> Path:
@@ -229,7 +233,7 @@ def tell_sizes(folder: Path, licensed: int) -> None:
     """Print the table of sizes."""
     for line in sizes.table(sizes.by_part(folder)):
         say(line)
-    say(f"{licensed} parts with their licences in {licences.FILE_NAME}")
+    say(f"{licensed} components with their licences in {licences.FILE_NAME}")
 
 
 def pack(folder: Path) -> None:
@@ -246,7 +250,9 @@ def pack(folder: Path) -> None:
         return
     command = installer_command()
     if command is None:
-        raise BundleError("Inno Setup 6 is not installed; the folder is whole, without installer.")
+        raise BundleError(
+            "Inno Setup 6 is not installed. The folder is complete, but there is no installer."
+        )
     subprocess.run(command, check=True)
 
 

@@ -1,4 +1,4 @@
-"""Desktop entry, file type and the two scripts that put a bundle into a Linux system."""
+"""Desktop entry, file type and the scripts that install and remove a bundle on Linux."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ FILE_TYPE = f"""<?xml version="1.0" encoding="UTF-8"?>
 PLACES = f"""here=$(cd "$(dirname "$0")" && pwd -P)
 prefix=${{1:-${{HOME:?}}/.local}}
 case $prefix in
-    -*) echo "usage: $0 [PREFIX]   (usual: ~/.local; for all users, as root: /usr/local)"; exit 2 ;;
+    -*) echo "usage: $0 [PREFIX]  (default: ~/.local; all users, as root: /usr/local)"; exit 2 ;;
     /*) ;;
-    *) echo "$prefix: give the whole path, for example /usr/local" >&2; exit 2 ;;
+    *) echo "$prefix is not an absolute path. Give one, for example /usr/local." >&2; exit 2 ;;
 esac
 folder=$prefix/lib/{names.COMMAND_LINE}
 entry=$prefix/share/applications/{names.COMMAND_LINE}.desktop
@@ -54,7 +54,7 @@ renew() {{
 }}
 refresh() {{
     if [ -d "$2" ] && command -v "$1" >/dev/null; then
-        "$1" "$2" >/dev/null 2>&1 || echo "$1 $2 failed: the menu may show the change later." >&2
+        "$1" "$2" >/dev/null 2>&1 || echo "$1 $2 failed. The menu may show the change later." >&2
     fi
 }}
 """
@@ -63,7 +63,7 @@ INSTALL = f"""#!/bin/sh
 set -eu
 {PLACES}
 if [ -e "$folder" ] && [ ! -x "$folder/{names.WINDOW}" ]; then
-    echo "$folder is there and is not {names.NAME}: move it away first." >&2
+    echo "$folder exists but does not contain {names.NAME}. Move it, then start again." >&2
     exit 1
 fi
 if [ "$here" != "$folder" ]; then
@@ -89,11 +89,11 @@ cp "$folder/share/{names.COMMAND_LINE}.xml" "$type"
 cp "$folder/share/{names.COMMAND_LINE}.svg" "$drawing"
 cp "$folder/share/{names.COMMAND_LINE}.png" "$picture"
 renew
-echo "{names.NAME} is in $folder;"
-echo "start it from the menu or with $prefix/bin/{names.WINDOW}."
+echo "{names.NAME} is installed in $folder."
+echo "Start it from the menu or with $prefix/bin/{names.WINDOW}."
 """
 UNINSTALL = f"""#!/bin/sh
-# Takes away what install.sh has put below PREFIX, and no project.
+# Removes the files that install.sh has installed in PREFIX; projects are kept.
 set -eu
 {PLACES}
 rm -f "$entry" "$type" "$drawing" "$picture"
@@ -106,7 +106,7 @@ if [ -x "$folder/{names.WINDOW}" ]; then
     rm -rf "$folder"
 fi
 renew
-echo "{names.NAME} is gone from $prefix; its cache, if wanted away too, is ~/.cache/lispac."
+echo "{names.NAME} is removed from $prefix. To remove its cache too, delete ~/.cache/lispac."
 """
 
 

@@ -25,7 +25,7 @@ IN_PAGES = ("furo", "pygments", "snowballstemmer", "sphinx", "sphinx-basic-ng")
 
 
 class LicenceMissingError(Exception):
-    """Something would be handed on without its licence; the message says what, and what to do."""
+    """A component has no licence text; the message names it and the action."""
 
 
 def normalised(name: str) -> str:

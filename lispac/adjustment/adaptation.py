@@ -42,7 +42,7 @@ def _noise_of(problem: Problem, state: State) -> Problem:
 
 
 def with_surface(problem: Problem, linearised: Linearised) -> Problem:
-    """The same problem with the surfaces that the data tell, where they were not stated."""
+    """The same problem with the sigma of form errors estimated, unless it was given."""
     if not problem.model.correlated or problem.model.surface is not None:
         return problem
     if not problem.own_offsets:
@@ -52,7 +52,7 @@ def with_surface(problem: Problem, linearised: Linearised) -> Problem:
 
 
 def differ(one: Problem, other: Problem) -> bool:
-    """Whether a sigma from the data differs by more than is worth an iteration."""
+    """Whether a sigma from the data differs by more than the tolerance."""
     pairs = ((one.noise, other.noise), (one.scale, other.scale),
              (one.surface_sigma, other.surface_sigma))  # fmt: skip
     return any(bool((np.abs(a - b) > SCALE_SETTLED * b).any()) for a, b in pairs)

@@ -1,6 +1,6 @@
-"""Fewer points that say the same: neighbours on a surface averaged into one.
+"""Averaging of neighbouring points on a surface into one.
 
-Thinning by selection throws away what the points left out know, so that sigmas grow with the
+Thinning by selection loses the information of the excluded points, so that sigmas grow with the
 distance. An average keeps it: its noise is smaller by the root of their number.
 """
 
@@ -49,13 +49,13 @@ def averaged(
     longest : float, seconds
         Over which points are averaged: the knot interval of the POS error.
     strays_apart : bool
-        Whether points that stand out from their sighting's plane are left out: a loss cannot tell
-        a stray that hides in an average.
+        Whether outliers from the sighting's plane are excluded: a loss function cannot detect
+        an outlier within an average.
 
     Returns
     -------
     Observations
-        ``left_out`` says how many points stood out.
+        ``left_out`` is the number of outliers.
     """
     if distance <= 0:
         return observations

@@ -1,4 +1,4 @@
-"""Which sightings to let go of: another surface on one line, a shifted sighting, a GNSS jump.
+"""Sightings to reject: another surface on one line, a shifted sighting, a GNSS jump.
 
 Alternatives stand against "all agree" (Teunissen 2000): one sighting is shifted as a whole, or is
 another surface altogether, or the position is shifted on all of one line. Each is tested with what
@@ -21,30 +21,30 @@ from lispac.adjustment.problem import RELEASED, Linearised, Problem
 Array = NDArray[np.float64]
 
 FAMILY = 0.01
-"""Chance that anything is called a blunder where nothing is."""
+"""Family-wise probability of a false rejection."""
 
 LOOK = 0.05
-"""Level at which an alternative is worth a closer look, with surfaces as they are without it."""
+"""Significance level for the second test, with form errors estimated without the candidate."""
 
 MOST_LOOKED_AT = 6
-"""Alternatives, the most surprising first, that get the closer look."""
+"""Largest number of candidates, most significant first, for the second test."""
 
 BELONGS = 0.05
-"""Level above which what was let go of is taken back."""
+"""Significance level above which a rejected sighting is restored."""
 
 PLAINLY = 1e-6
-"""Level below which what was left out of the start stays out: the start tells nothing by itself."""
+"""Significance level below which sightings excluded from the start values stay excluded."""
 
 LEFT = 2
-"""Other sightings that a target must be left with."""
+"""Minimum number of other sightings of a target."""
 
 SIMPLER = 100.0
-"""How many times more surprising a shift must be for the sighting to be called another surface."""
+"""Ratio of the probabilities from which another surface is preferred to a shift."""
 
 
 @dataclass(frozen=True)
 class Blunder:
-    """What may be wrong.
+    """A possible blunder.
 
     Attributes
     ----------
@@ -58,11 +58,11 @@ class Blunder:
     sightings: tuple[int, ...]
 
     def out_of(self, problem: Problem) -> Problem:
-        """The problem that no longer holds the sightings to what may be wrong."""
+        """The problem without the constraint that the blunder contradicts."""
         return problem.with_surface_of(self.sightings, self._directions, RELEASED)
 
     def back_in(self, problem: Problem) -> Problem:
-        """The problem that holds the sightings like all others."""
+        """The problem with the usual constraint on the sightings."""
         held = problem.usual_surface[self._directions]
         return problem.with_surface_of(self.sightings, self._directions, held)
 
@@ -72,12 +72,12 @@ class Blunder:
 
 
 def worst_blunder(linearised: Linearised, spared: Collection[Blunder]) -> Blunder | None:
-    """What most needs to be let go of; None where all agree.
+    """The most significant blunder; None if all sightings agree.
 
     Parameters
     ----------
     spared : collection of Blunder
-        Those that have been taken back already.
+        Blunders that have already been restored.
     """
     candidates = [found for found in _candidates(linearised.problem) if found not in spared]
     first = [(_chance(linearised, found), found) for found in candidates]
@@ -98,14 +98,14 @@ def _surprise(item: tuple[float, Blunder]) -> float:
 
 
 def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | None:
-    """What was let go of and agrees best, if it does after all."""
+    """The rejected blunder that agrees best with the solution, if it is not significant."""
     chances = [(_chance_back(linearised, found), found) for found in gone]
     chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
     return best if chance > BELONGS else None
 
 
 def plainly_off(linearised: Linearised, gone: Collection[Blunder]) -> list[Blunder]:
-    """What stays out of all that the start was led without, as a shift where that is enough."""
+    """Blunders excluded from the start values that are still significant, as shifts if possible."""
     return [
         _simpler(linearised, found) for found in gone if _chance_back(linearised, found) < PLAINLY
     ]
@@ -139,13 +139,13 @@ def _candidates(problem: Problem) -> Iterator[Blunder]:
             yield Blunder("surface", (int(s),))
     for line in observations.lines:
         own = [s for s, x in enumerate(observations.sightings) if x.line == line and held[s]]
-        # Of a line with one sighting the shift of that says it all.
+        # For a line with one sighting the shift of that is sufficient.
         if len(own) > 1 and spare[own].all():
             yield Blunder("line", tuple(own))
 
 
 def _without(linearised: Linearised, found: Blunder) -> Linearised:
-    """The same with surfaces that differ by as much as all other sightings say."""
+    """The same with form errors estimated from all other sightings."""
     problem = linearised.problem
     return linearised.of(with_surface(problem, linearised.of(found.out_of(problem))))
 

@@ -47,7 +47,7 @@ VISIBLE = 1.5e-4
 """Metres: RMS of what an error does to the points beyond what all other unknowns explain, at least.
 Even a good board bends by more over its sighting, and the model has no term for that."""
 MOST_CAUSES = 3
-"""Errors that are sought one after the other."""
+"""Largest number of errors, searched for one after the other."""
 MOST_NAMED = 4
 """Candidates named for one error."""
 SMALLEST_SURFACE, STEPS = 1e-4, 13

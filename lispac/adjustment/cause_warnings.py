@@ -98,7 +98,7 @@ def cause_doubts(
     explained = [each for each in causes if known is not None and known.explains(each[0].effect)]
     unexplained = [group for group in causes if group not in explained]
     if any(each.code == "adjustment.not_flat" for each in others):
-        found = []  # the reason has a name, and too few lines tell any other one from it
+        found = []  # the reason is known, and too few lines can separate it from another one
     elif _has_too_few_lines(result):
         found = list(_not_located(unexplained))
     else:
@@ -224,7 +224,7 @@ def _jumped(
 
 
 def _many_lines(result: AdjustmentResult, count: int) -> bool:
-    """Whether so many lines are wrong that the others are doubtful as well."""
+    """Whether so many lines are wrong that the others are questionable too."""
     return count > MOST_JUMPED * len({item.sighting.line for item in result.reliability})
 
 
@@ -286,7 +286,7 @@ def _place(cause: CandidateCause) -> Cause:
 def _causes_of_earlier_version(
     result: AdjustmentResult,
 ) -> tuple[tuple[CandidateCause, ...], ...]:
-    """What a result kept by an earlier version says of the mounting."""
+    """Warning about the mounting from the result of an earlier version."""
 
     def cause(found: Contradiction) -> CandidateCause:
         size, sigma = np.array([found.change]), np.array([found.sigma])

@@ -26,7 +26,7 @@ EVERY, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
 INSIST = 10.0
 """Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
 COMMONER = 5.0
-"""More of it where sightings were let go of: jumps are a dozen times commoner, exp(5 / 2)."""
+"""Additional gain if sightings were rejected: jumps are a dozen times commoner, exp(5 / 2)."""
 
 
 def surface_sigma(linearised: Linearised, directions: slice = EVERY) -> float:
@@ -43,12 +43,12 @@ def surface_sigma(linearised: Linearised, directions: slice = EVERY) -> float:
 
 
 def offsets_insist(linearised: Linearised) -> bool:
-    """Whether the data insist on another sigma for the offsets than they share with the tilts.
+    """Whether the data require a sigma of the offsets different from that of the tilts.
 
-    Boards that are displaced from line to line and not bent do that. Those that are displaced most
-    may have been let go of: with a sigma of their own they are held again. That must be likelier
-    than what was let go of, and clearly so, as one sighting that jumped is the commoner thing; and
-    likelier than holding them again with the sigma shared.
+    This is the case for boards that are displaced between lines but not warped. The most displaced
+    sightings may have been rejected; with a sigma of their own they are used again. The likelihood
+    must be clearly larger than with the rejection, since a single jump is more common, and larger
+    than that with the common sigma.
     """
     every = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
     own = every & (np.arange(3) == 2)
@@ -110,17 +110,17 @@ def _surface_likelihood(linearised: Linearised) -> Callable[[Array], float]:
 
 NAMES = ("LiDAR", "POS position", "POS attitude")
 FACTORS = (0.1, 10.0)
-"""Smallest and largest factor on a stated sigma that is believed."""
+"""Smallest and largest factor on a given sigma that is believed."""
 
 
 NOISY = 1.1
-"""Noise of a target over the stated one beyond which the residuals replace the LiDAR sigma."""
+"""Noise of a target over the given one beyond which the residuals replace the LiDAR sigma."""
 
 FEWEST_LINES = 3
-"""On two lines an error of the position and a surface that differs look the same."""
+"""On two lines an error of the position and a form error cannot be separated."""
 
 TELLING = 0.6
-"""Standard deviation of a factor's logarithm, all else held, below which the data tell it."""
+"""Standard deviation of a factor's logarithm, others fixed, below which it is determined."""
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ class MaximumLikelihood:
     components : tuple of Component
         On the sigmas of LiDAR, POS position, POS attitude.
     told : tuple of bool
-        Whether the data tell anything of each.
+        Whether the data determine each.
     rough : float
         The factor on the surfaces' sigma.
     """
@@ -145,9 +145,9 @@ class MaximumLikelihood:
 def variance_components(linearised: Linearised) -> MaximumLikelihood:
     """Most likely factors on the sigmas of LiDAR, POS position, POS attitude, and on the surfaces.
 
-    Where the surfaces' sigma is not stated it is found along with the others: an error of the
-    position shifts a sighting just as its surface does, and only what neighbours share tells which.
-    With few sightings the data say little of the POS; the intervals tell. Where the residuals have
+    Where the surfaces' sigma is not given it is found along with the others: an error of the
+    position shifts a sighting as its form error does; only the correlation of neighbours separates
+    them. With few sightings the intervals are wide. Where the residuals have
     raised the noise of a target already, the factor on the LiDAR's stays 1.
     """
     import scipy.optimize
@@ -168,7 +168,7 @@ def variance_components(linearised: Linearised) -> MaximumLikelihood:
         factors[free] = some
         return likelihood(factors)
 
-    # What the surfaces have taken for their own may be the POS's.
+    # The form errors may have absorbed errors of the POS.
     starts = [np.zeros(4), np.array([0.0, np.log(2), 0.0, max(bounds[3][0], -2.0)])]
     best = min(
         (
@@ -186,7 +186,7 @@ def variance_components(linearised: Linearised) -> MaximumLikelihood:
     found[free] = best.x
     spread[free] = np.sqrt(np.diag(np.linalg.inv(curvature)))
     alone[free] = 1 / np.sqrt(np.diag(curvature))
-    reach = np.log(100.0)  # beyond, the data tell nothing
+    reach = np.log(100.0)  # beyond, the data do not determine it
     return MaximumLikelihood(
         tuple(
             Component(
@@ -200,7 +200,7 @@ def variance_components(linearised: Linearised) -> MaximumLikelihood:
 
 
 def _curvature(likelihood: Callable[[Array], float], at: Array, step: float = 0.1) -> Array:
-    """Second derivatives, no less than those of data that say nothing."""
+    """Second derivatives, no less than those of data without information."""
     middle, steps = likelihood(at), step * np.eye(len(at))
     there = np.array([likelihood(at + h) for h in steps])
     curvature = np.empty((len(at), len(at)))
@@ -216,7 +216,7 @@ def _curvature(likelihood: Callable[[Array], float], at: Array, step: float = 0.
 class _Likelihood:
     """Minus twice the restricted log likelihood by the logarithms of the factors.
 
-    On LiDAR, POS position, POS attitude, and the surfaces that are held.
+    On LiDAR, POS position, POS attitude, and the form errors of used sightings.
     """
 
     def __init__(self, linearised: Linearised) -> None:

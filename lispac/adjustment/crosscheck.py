@@ -1,4 +1,4 @@
-"""What parts of the data say by themselves, beside the answer of all."""
+"""Cross-checks: results of parts of the data, compared with the result of all data."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -93,9 +93,9 @@ def _without_unseen(
     result: AdjustmentResult,
     parameters: tuple[Parameter, ...],
 ) -> tuple[AdjustmentResult, tuple[Parameter, ...]]:
-    """The answer as it would be with what the geometry does not see held.
+    """The result with undetermined parameters fixed.
 
-    The stated sigma of such a value goes into those of the angles, of every part alike: the parts
+    The given sigma of such a value goes into those of the angles, of every part alike: the parts
     could differ by far more than the data allow and still seem to agree.
     """
     unseen = {each.name for each in result.parameters if each.value is None}
@@ -176,7 +176,7 @@ def _between_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
 
 
 def _jackknife(answers: list[Array | None]) -> Array | None:
-    """Standard deviation of the whole from answers that leave out one part each (Tukey 1958)."""
+    """Standard deviation of the whole from results that omit one part each (Tukey 1958)."""
     known = np.array([answer for answer in answers if answer is not None])
     if len(known) < 3 or len(known) < len(answers):
         return None

@@ -1,6 +1,6 @@
 """What every source of error does to a point at a distance (thesis table 1.3), for one system.
 
-The derivatives are those of the adjustment (`adjustment.sensitivity`). A geometry is stated, since
+The derivatives are those of the adjustment (`adjustment.sensitivity`). A geometry is given, since
 what an angle does depends on where the beam goes: an error about the beam itself moves nothing.
 """
 

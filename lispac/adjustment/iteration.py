@@ -1,4 +1,4 @@
-"""The iterations of the adjustment: step after step until what is still to come does not matter."""
+"""Iterations of the adjustment, until the expected remaining changes are negligible."""
 
 from dataclasses import dataclass
 
@@ -18,23 +18,23 @@ Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 200
 ANGLES_SETTLED, OTHERS_SETTLED = 1e-11, 1e-8
-"""Largest change of an angle (rad) and of another unknown (rad, m, s) that is still to come."""
+"""Limits of the expected remaining change: of an angle (rad), of another unknown (rad, m, s)."""
 
 NEAR = 1e-5
-"""Change of an angle (rad) below which noise, surfaces and strays can be told apart."""
+"""Change of an angle (rad) below which noise, form errors and outliers can be separated."""
 
 PATIENCE, SLACK = 60, np.array([1e3, 1e5])
-"""After so many iterations larger changes will do: 1e-6 deg, and 1 mm of a sighting whose points
-hesitate between some weight and none."""
+"""Iterations after which the limits are relaxed by these factors: to 1e-6 deg, and to 1 mm for a
+sighting whose points alternate between a small weight and none."""
 
 NEARLY = 100
-"""Times the limits to go: a step that foresees nothing will do, and the sigmas come from it."""
+"""Multiple of the limits below which plain IRLS steps are used; the sigmas come from these."""
 
 FORESEEN = 10
-"""Steps that foresee how the weights will change; where they do not settle, plain ones will."""
+"""Gauss-Newton steps with updated weights, after which plain IRLS steps are used."""
 
 FREELY = 10
-"""Iterations far from the answer in which the noise may fall again."""
+"""Iterations far from the solution in which the estimated noise may decrease."""
 
 ADAPTATIONS = 12
 """Times that noise and surfaces are taken from the data; a limit between two of their values would
@@ -64,7 +64,7 @@ def iterate(
     *,
     told: bool = False,
 ) -> Solution:
-    """Iterate until what is still to come does not matter.
+    """Iterate until the expected remaining changes are negligible.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def iterate(
             iteration / MAX_ITERATIONS,
             gettext_lazy("Adjusting: iteration {number:n}", number=iteration),
         )
-        # Weights that go with the residuals settle slowly unless the step foresees them.
+        # IRLS converges slowly unless the linearisation includes the change of the weights.
         foreseen = settled and weighted and not nearly and (told or steps > 0)
         foreseen = foreseen and steps <= FORESEEN
         try:
@@ -120,7 +120,7 @@ def iterate(
         else:
             steps += 1
             ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
-            # A pass over many points is dear, so the last one is foretold; few tell it themselves.
+            # An iteration over many points is costly: the last change is predicted, not computed.
             to_come = _to_come(change, last)
             left = to_come if told else change
             nearly = bool((to_come < NEARLY * limits).all())

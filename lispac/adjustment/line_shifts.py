@@ -22,15 +22,15 @@ LEVEL = 0.001
 """Chance that a line is named where nothing is shifted, as in the tests of points and sightings
 (Baarda 1968): positions that are two sigmas off by themselves are no jump."""
 TOLD = 0.05
-"""Share of what the prior knows of a shift that the data must tell in a direction for it to be
-tested: less is told by the prior alone."""
+"""Smallest share of the information on a shift that must come from the data, not the prior, for a
+direction to be tested."""
 AXES = 3
 """North, west, up."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """What the data say of a shift of each line.
+    """Test of a shift of each line.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Scores:
     score : ndarray of shape (3 lines,)
         Divided by the root of the prior's own, so that all have one unit.
     variance : ndarray of shape (3 lines, 3 lines)
-        Between 0, nothing is told, and 1, all is.
+        From 0, no information, to 1, full information.
     """
 
     lines: tuple[str, ...]
@@ -118,7 +118,7 @@ class Scores:
         return slice(AXES * k, AXES * (k + 1))
 
     def _told(self, k: int) -> tuple[Array, Array]:
-        """Shares that the data tell of a line's shift, and in which directions."""
+        """Shares of the information on a line's shift that come from the data, by direction."""
         own = self._of(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])
         enough = shares > TOLD

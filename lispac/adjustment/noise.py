@@ -1,9 +1,9 @@
-"""How large the noise of a target's points really is, from their residuals.
+"""Noise of the points of each target, estimated from their residuals.
 
-A rough surface is noisier than the LiDAR, and its bumps are larger than the distance between
-points, so that neighbours lie off together: a thousand of them tell no more than a few. Sums over
-blocks of a surface show it. Where points are independent the square of such a sum grows with their
-number; where they are not, it grows faster by the design effect (Kish 1965).
+A rough surface is noisier than the LiDAR, and its bumps are larger than the point spacing, so
+that the residuals of neighbours are correlated: a thousand points hold no more information than a
+few. Sums over blocks of a surface show this. The variance of such a sum is proportional to the
+number of independent points; with correlation it is larger by the design effect (Kish 1965).
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ SIDE = 4
 """Blocks along each side of a sighting: few points each would show nothing, few blocks neither."""
 
 FAR = 3.0
-"""Standardised residuals beyond this are strays; they say nothing of the others."""
+"""Standardised residual beyond which a point is an outlier and does not affect the noise."""
 
 CERTAIN = 2.0
 """Standard deviations by which a covariance between lines is more than chance explains."""
@@ -50,7 +50,7 @@ def blocks_of(observations: Observations, mounting: Mounting) -> NDArray[np.int6
 def scale_of_targets(
     observations: Observations, residuals: Array, near: NDArray[np.bool_]
 ) -> Array:
-    """Spread of each target's standardised residuals, strays aside, at least 1, (targets,).
+    """Spread of each target's standardised residuals without outliers, at least 1, (targets,).
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def noise_factors(
     *,
     denser: float = 1.0,
 ) -> Array:
-    """Noise of each target over the stated one, at least 1, shape (targets,).
+    """Noise of each target over the given one, at least 1, shape (targets,).
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def noise_factors(
     blocks : ndarray of shape (n,), int
         From `blocks_of`.
     near : ndarray of shape (n,), bool, or None
-        From `at_target`, where strays have no weight in the adjustment.
+        From `at_target`, if outliers have no weight in the adjustment.
     denser : float
         How many times more points there are than those given: a design effect grows with them.
     """
@@ -98,7 +98,7 @@ def noise_factors(
 def noise_of_form(
     observations: Observations, mounting: Mounting, residuals: Array, targets: NDArray[np.bool_]
 ) -> Array:
-    """Noise that form errors of planes explain, over the stated one, at least 1.
+    """Noise that form errors of planes explain, over the given one, at least 1.
 
     A form error is the same in every line; a POS error that the adjustment left in the residuals,
     where it may look like one, is not. Its variance is therefore the covariance between lines of
@@ -197,7 +197,7 @@ def astray(observations: Observations, residuals: Array) -> NDArray[np.int64]:
 def at_target(observations: Observations, residuals: Array) -> NDArray[np.bool_]:
     """Which points are of sightings that do not lie off their target as a whole, shape (n,).
 
-    One that does, on another surface or misplaced by metres, says nothing of the others' noise.
+    Such a sighting, on another surface or metres off, does not affect the noise of the others.
 
     Parameters
     ----------

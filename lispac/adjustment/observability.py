@@ -33,7 +33,7 @@ direction of the beams and what is wrong with a line are the same for all of the
 MOST_SIGHTINGS = 100
 """Of more, none carries an angle."""
 MATTERS = 1.25
-"""Factor by which a sigma grows without a line that is worth naming."""
+"""Factor of increase of a sigma without a line, from which the line is reported."""
 
 ANGLE_CODES = {
     "roll": "adjustment.angle_roll",
@@ -46,7 +46,7 @@ ANGLE_CODES = {
 def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
     """Parameters that the geometry does not see, the worst first, each with the reason.
 
-    One at a time: of two that can only not be told from each other, one stays.
+    One at a time: of two that cannot be separated from each other, one stays.
     """
     problem = linearised.problem
     active = problem.active
@@ -122,7 +122,7 @@ def require_determined(linearised: Linearised) -> None:
 
 
 def _reason_undetermined(linearised: Linearised) -> Message | None:
-    """Why the geometry leaves an angle open; None where no simple reason holds."""
+    """Why the geometry does not determine an angle; None if there is no simple reason."""
     targets = linearised.problem.observations.targets
     parallel = _parallel_lines(linearised)
     if len(targets) == 1:
@@ -155,7 +155,7 @@ def _with_shared_errors(linearised: Linearised) -> Linearised:
 
 
 def require_two_facings(linearised: Linearised) -> None:
-    """Refuse planes that all face one way: what they tell of the angles nothing checks.
+    """Refuse planes that all face one way: there is no check of the angles.
 
     Raises
     ------

@@ -98,7 +98,7 @@ class Observations:
         return np.array([target in self.radii for target in self.targets], dtype=bool)
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
-        """The same with factors on the stated sigmas.
+        """The same with factors on the given sigmas.
 
         Parameters
         ----------
@@ -113,7 +113,7 @@ class Observations:
         )
 
     def as_planes(self) -> "Observations":
-        """The same points with every target taken for a plane."""
+        """The same points with every target as a plane."""
         return replace(self, radii={}) if self.radii else self
 
     def reordered(self, order: NDArray[np.int64]) -> "Observations":

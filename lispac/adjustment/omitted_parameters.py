@@ -1,10 +1,9 @@
-"""Whether the data contradict a value of the mounting that was not estimated.
+"""Score tests of mounting parameters that are not estimated.
 
-A lever arm that is stated wrongly hides: the angles give way, and where they do not the surfaces
-seem to differ from line to line, so that every test against sigmas from the data passes. Hence the
-opposite question, a score test of each value that is held (Rao 1948): would the data rather have
-another one? The surfaces' sigma is taken anew with the value let go of, for it has swallowed the
-error.
+A wrong given lever arm is absorbed by the angles and by the sigma of the form errors, so that
+every test with sigmas from the data passes. Each fixed parameter is therefore checked by a score
+test (Rao 1948). The sigma of the form errors is estimated again with the parameter freed, because
+it may have absorbed the error.
 """
 
 from dataclasses import replace
@@ -23,16 +22,16 @@ from lispac.adjustment.result import Contradiction
 Array = NDArray[np.float64]
 
 FAMILY = 0.01
-"""Chance that anything is called wrong where nothing is."""
+"""Family-wise probability of a false alarm."""
 
 CRITICAL = -NormalDist().inv_cdf(FAMILY / 2 / len(SWITCHED))
-"""Test value beyond which a value is contradicted; one of many may be by chance (Bonferroni)."""
+"""Test value beyond which a parameter is contradicted (Bonferroni)."""
 
 OF_CONSEQUENCE = 0.5
-"""Sigmas by which an angle would move at least for an error that is worth telling."""
+"""Smallest change of an angle, in sigmas, for an error that is reported."""
 
 PLAIN = 6.0
-"""Test value beyond which an error is told whatever it does: the sigmas have grown with it."""
+"""Test value beyond which an error is always reported, since it has increased the sigmas."""
 
 
 def contradictions(
@@ -59,7 +58,7 @@ def contradictions(
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
     found: list[Contradiction] = []
     gone, moved = problem.parameters, np.zeros(3)
-    while True:  # what is let go of first may explain what the others seem to want
+    while True:  # the parameter freed first may explain the contradictions of the others
         tests = [
             test for each in omitted if (test := _test(all_let_go, gone, each, moved)) is not None
         ]
@@ -76,7 +75,7 @@ def contradictions(
 def _test(
     all_let_go: Linearised, gone: tuple[Parameter, ...], parameter: Parameter, before: Array
 ) -> Contradiction | None:
-    """A value let go of besides those that are ``gone``; None where the geometry hides it.
+    """Test of one more freed parameter, besides ``gone``; None if the geometry cannot show it.
 
     Parameters
     ----------

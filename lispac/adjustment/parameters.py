@@ -12,11 +12,11 @@ Array = NDArray[np.float64]
 
 BORESIGHT = CALIBRATION[:3]
 SWITCHED = CALIBRATION[3:]
-"""Values that are estimated only where the user says so."""
+"""Parameters that are estimated only on request."""
 
 LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
-"""Radians, metres, seconds, in the order of `CALIBRATION`. What the geometry cannot tell to better
-than this is not determined by it: a tape measure, or a look at the mounting, knows it better."""
+"""Radians, metres, seconds, in the order of `CALIBRATION`. A parameter that the geometry cannot
+determine to better than this is fixed: a tape measure, or an inspection, is more precise."""
 
 SIGNIFICANT = 1.96
 """Standard deviations that a change by chance exceeds one time in twenty, up or down."""

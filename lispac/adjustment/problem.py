@@ -31,10 +31,10 @@ Array = NDArray[np.float64]
 NO_LOSS = Loss("none")
 
 FIRST_SURFACE = 0.003
-"""Metres: sigma of the surfaces until the data have told it."""
+"""Metres: sigma of the form errors before it is estimated."""
 
 RELEASED = 10.0
-"""Metres: sigma of how a sighting departs that is no longer held to its target's shape."""
+"""Metres: sigma of the form errors of a rejected sighting."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,16 +53,16 @@ class Problem:
     surface_sigma : ndarray of shape (sightings, 3), metres
         Of the two tilts, at the border, and the offset of each sighting.
     scale : ndarray of shape (targets,)
-        Spread of the standardised residuals that the loss measures strays with.
+        Spread of the standardised residuals, the scale of the loss function.
     noise : ndarray of shape (targets,)
-        Noise of the points over the stated one.
+        Noise of the points over the given one.
     blocks : ndarray of shape (n,), int
-        Block of each point on its sighting's surface; empty where nobody has asked.
+        Block of each point on its sighting's surface; empty if not computed.
     moments : ndarray of shape (sightings, 4, 4)
         Sums of the products of (x, y, z, 1), metres, placed with the prior: where each sighting is
         and how far it reaches. Of all points alike: what a tilt is must not depend on weights.
     own_offsets : bool
-        Whether the data tell a sigma of the offsets apart from that of the tilts.
+        Whether a sigma of the offsets is estimated separately from that of the tilts.
     """
 
     observations: Observations
@@ -126,19 +126,19 @@ class Problem:
         return Layout.of(self.active, widths, owners, surfaces=has_surfaces)
 
     def with_blocks(self) -> "Problem":
-        """The same with the blocks that tell noise from roughness."""
+        """The same with the blocks used to separate noise from roughness."""
         if len(self.blocks) or not self.model.correlated:
             return self
         return replace(self, blocks=blocks_of(self.observations, self.prior))
 
     @property
     def held(self) -> NDArray[np.bool_]:
-        """Which sightings are held to the place of their target's shape, shape (sightings,)."""
+        """Which sightings are used, not rejected, shape (sightings,)."""
         return np.asarray(self.surface_sigma[:, 2] < RELEASED)
 
     @property
     def usual_surface(self) -> Array:
-        """Sigmas of the tilts and the offset of what is held, shape (3,), metres."""
+        """Sigmas of the tilts and the offset of used sightings, shape (3,), metres."""
         return np.asarray(self.surface_sigma.min(axis=0))
 
     @property
@@ -147,7 +147,7 @@ class Problem:
         return self.own_offsets or self.model.offset is not None
 
     def with_surface(self, sigma: float | Array) -> "Problem":
-        """The same with another sigma of the surfaces, metres, but for what is released.
+        """The same with another sigma of the form errors, metres, except for rejected sightings.
 
         Parameters
         ----------
@@ -181,7 +181,7 @@ class Problem:
         return replace(state, effects=effects)
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Problem":
-        """The same with factors on the stated sigmas.
+        """The same with factors on the given sigmas.
 
         Parameters
         ----------
@@ -318,7 +318,7 @@ class Linearised:
         return self.problem.equations(self.state, kept, self.bases, self.departures)
 
     def of(self, problem: Problem) -> "Linearised":
-        """The same sums with what another problem of the same points says of surfaces."""
+        """The same sums with the form errors of another problem of the same points."""
         return replace(self, problem=problem)
 
     def step(self) -> tuple[State, Array]:

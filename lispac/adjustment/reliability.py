@@ -22,7 +22,7 @@ POWER = 4.13
 """Standard deviations that the test at 0.1 % finds with a power of 80 %."""
 
 WEIGHTLESS = 0.2
-"""Mean weight of a sighting whose points the loss has taken for strays: it is another surface."""
+"""Mean weight of a sighting below which its points are outliers: it is another surface."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +32,8 @@ class SightingTests:
     Attributes
     ----------
     shift, sigma : ndarray of shape (sightings,), metres
-        Best estimate if the sighting were not held to its target, and its standard deviation,
-        which holds that surfaces differ.
+        Best estimate if the sighting were rejected, and its standard deviation,
+        including form errors.
     effect : ndarray of shape (sightings, 3), radians per metre
         Of a shift on roll, pitch, yaw.
     """
@@ -58,7 +58,7 @@ def sighting_tests(linearised: Linearised) -> SightingTests:
     places = np.array([place.stop - 1 for place in linearised.normal.layout.surfaces])
     prior = problem.surface_sigma[:, 2] ** 2
     after = covariance[places, places]
-    # What all other data say of the offset, as a variance; infinite where only the prior does
+    # Variance of the offset from all other data; infinite if only the prior determines it
     open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
     shift = linearised.departures[:, 2] / after / open_to_data
     sigma = np.sqrt(problem.usual_surface[2] ** 2 + 1 / open_to_data)

@@ -60,7 +60,7 @@ class SightingReliability:
         Estimated POS error (north, west, up, roll, pitch, heading) in the middle of the sighting,
         its standard deviation before and after the adjustment.
     shift : float, metres
-        By how much the sighting as a whole lies off what all others say, along the normal, with
+        Offset of the whole sighting from the result of all others, along the normal, with
         its own prior left out.
     w : float
         The shift over its standard deviation (Baarda's test); a unit normal variable where the
@@ -83,7 +83,7 @@ class SightingReliability:
     weight : float
         Mean weight the loss left to the points.
     released : bool
-        Whether it was found to be a blunder: no longer held to its target, or without weight.
+        Whether it is a blunder: rejected, or without weight.
     """
 
     sighting: Sighting
@@ -116,11 +116,11 @@ class TargetResidual:
         Unit normal and offset (metres); of a sphere centre and radius.
     sphere : bool
     noise : float
-        Noise found in the residuals over the stated one, at least 1, with what neighbouring points
+        Noise found in the residuals over the given one, at least 1, with what neighbouring points
         have in common; the sigmas of the angles are computed with it (correlated model).
     noise_of_form : float or None
-        Noise that form errors of the surface explain, over the stated one, at least 1; of planes
-        with more than the stated noise only.
+        Noise that form errors of the surface explain, over the given one, at least 1; of planes
+        with more than the given noise only.
     """
 
     target: str
@@ -192,7 +192,7 @@ class Observability:
     condition : float
         Largest over smallest eigenvalue.
     sigma_without_line : dict of str to ndarray of shape (3,) or None, radians
-        Sigmas of roll, pitch, yaw if a line were left out; None where they could not be found.
+        Sigmas of roll, pitch, yaw without a line; None if they could not be computed.
     remarks : tuple of Message
         The weakest and the strongest direction first, then what each angle depends on.
     unchecked : tuple of Unchecked
@@ -209,7 +209,7 @@ class Observability:
 
 @dataclass(frozen=True)
 class Component:
-    """A group of errors, how large the data say it is: a factor on its stated sigmas.
+    """Size of a group of errors estimated from the data: a factor on its given sigmas.
 
     Attributes
     ----------
@@ -218,10 +218,10 @@ class Component:
     lower, upper : float
         95 % interval by the likelihood.
     applied : bool
-        Whether the sigmas were changed by it: raised where the data say more than stated, lowered
-        where the whole interval says less.
+        Whether the sigmas were changed by it: raised if the data show larger errors, lowered
+        if the whole interval is below 1.
     used : float or None
-        The factor the sigmas were changed by, where they were; the adjustment settles a little off
+        Factor by which the sigmas were changed, if any; the adjustment converges a little off
         the one found with it. None in results of earlier versions.
     """
 
@@ -242,7 +242,7 @@ class Contradiction:
     name : str
         A value of the mounting other than its angles.
     change, sigma : float, radians, metres or seconds
-        What the data would add to the stated value.
+        What the data would add to the given value.
     moved : ndarray of shape (3,), radians
         What roll, pitch, yaw would change by with it.
     surface : float, metres
@@ -273,7 +273,7 @@ class CandidateCause:
     target, line : str
         Where it is; empty where it is everywhere.
     size, sigma : ndarray of shape (k,), radians, metres or seconds
-        What the data would add to the stated value; of a line's position north, west, up, of a
+        What the data would add to the given value; of a line's position north, west, up, of a
         boresight roll, pitch, yaw, of a surface two tilts (at its border) and the offset.
     moved : ndarray of shape (3,), radians
         What roll, pitch, yaw would change by with it.
@@ -329,7 +329,7 @@ class AdjustmentResult:
     path : ndarray of shape (iterations, 3), radians
         Roll, pitch, yaw after each iteration.
     variance_factor : float
-        From the stated sigmas, times the applied ``components``, before any noise was taken from
+        From the given sigmas, times the applied ``components``, before any noise was taken from
         the residuals.
     rms_before, rms_after : float, metres
     surface : float, metres
@@ -337,12 +337,12 @@ class AdjustmentResult:
     reliability : tuple of SightingReliability
         Empty in thesis mode.
     components : tuple of Component
-        Empty where they were not asked for.
+        Empty if they were not requested.
     elapsed : float, seconds
     left_out : int
         Points that stood out from their sighting and went into no average.
     contradictions : tuple of Contradiction
-        Stated values that the data contradict; empty in thesis mode.
+        Given values that the data contradict; empty in thesis mode.
     causes : tuple of tuple of CandidateCause, or None
         Errors behind residuals that contradict the model, from `candidate_causes`; None in results
         of earlier versions.
@@ -353,7 +353,7 @@ class AdjustmentResult:
         Factors by which the sigmas of the angles were multiplied, because parts of the data scatter
         by more than the model predicts; None where that is not known.
     stated_times : tuple of float, seconds, or None
-        Correlation times of position and attitude that were stated, where the residuals asked for
+        Given correlation times of position and attitude, if the residuals required
         the shorter ones of ``model``.
     radius_discrepancies : tuple of RadiusDiscrepancy
         Of the balls.
@@ -454,7 +454,7 @@ class AdjustmentResult:
 
     @property
     def sigma_factors(self) -> tuple[float, float, float]:
-        """Factors that were applied to the stated sigmas of LiDAR, POS position and attitude."""
+        """Factors that were applied to the given sigmas of LiDAR, POS position and attitude."""
         if not self.components:
             return 1.0, 1.0, 1.0
         lidar, position, attitude = (
@@ -483,7 +483,7 @@ class CrossCheck:
     ----------
     kind : {"line", "target", "half"}
     without : str
-        Line or target left out, or which half of the survey in time was used.
+        Omitted line or target, or the half of the survey (in time) that was used.
     boresight, sigma : ndarray of shape (3,) or None, radians
         None where the part does not determine the angles.
     difference : ndarray of shape (3,) or None, radians
@@ -515,7 +515,7 @@ class CrossChecks:
     Attributes
     ----------
     spread_lines, spread_targets : ndarray of shape (3,) or None, radians
-        Jackknife standard deviation from leaving out one line, or one target, at a time.
+        Jackknife standard deviation from omitting one line, or one target, at a time.
     sigma : ndarray of shape (3,), radians
         Formal, of the answer of all points.
     """

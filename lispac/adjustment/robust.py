@@ -1,8 +1,8 @@
-"""Losses that keep stray points from moving the answer.
+"""Loss functions that limit the influence of outliers.
 
 A point far off its surface (a bird, a mixed echo, a bolt) does not belong to the normal
 distribution the other residuals have. Its weight is lowered by how many standard deviations it
-lies off, and the adjustment repeated until the weights settle (iteratively reweighted least
+lies off, and the adjustment repeated until the weights converge (iteratively reweighted least
 squares: Holland and Welsch 1977, whose tuning is taken). The losses are Huber's (1964) and Tukey's
 biweight (Beaton and Tukey 1974).
 """
@@ -27,7 +27,7 @@ class Loss:
     """Weight of a point by its standardised residual.
 
     ``none`` weights all points alike. ``huber`` lowers the weight of the far ones but never to
-    zero. ``tukey`` redescends: points beyond 4.7 standard deviations have no say.
+    zero. ``tukey`` redescends: points beyond 4.7 standard deviations have no weight.
     """
 
     name: LossName = "none"
@@ -59,7 +59,7 @@ class Loss:
 def robust_scale(residuals: NDArray[np.float64]) -> float:
     """Spread of standardised residuals (n,) by their median, at least 1.
 
-    Where a surface is rougher than the LiDAR noise says, all its points would be strays.
+    If a surface is rougher than the LiDAR noise, all its points would be outliers.
     """
     return max(1.0, float(np.median(np.abs(residuals))) / 0.6745)
 

@@ -3,15 +3,15 @@
 The stochastic model knows noise, POS errors and uneven surfaces. It does not know beams that are
 calibrated unlike, times that are a little off within a turn of the scanner, or cloth and grass that
 two lines see differently; what these do to neighbouring points they do to many of them at once. So
-places of the scene are left out one after the other, and stretches of each line: the answers
+places of the scene are omitted one after the other, and sections of each line: the results
 scatter as much as the model predicts where it holds (the variance of a difference is the difference
 of the variances, Hausman 1978), and by more where it does not. What is more is added, by the
 jackknife (Tukey 1958).
 
-Of targets that were picked, there are few: whole lines and whole targets are left out, and what is
+There are few picked targets: whole lines and whole targets are omitted, and what is
 more is added only where chance does not explain it.
 
-A part is left out by taking its sums from Newton's equations at the solution: one solve a part.
+A part is omitted by subtracting its sums from the normal equations: one solution for each part.
 """
 
 from collections.abc import Iterator
@@ -37,7 +37,7 @@ PLACES = 12
 STRETCHES = 4
 """Parts of each line, of as many groups of points each."""
 FEWEST = 3
-"""Parts below which nothing is said of their scatter."""
+"""Smallest number of parts for an estimate of their scatter."""
 CHANCE = 0.15
 """Significance level of the test that raises sigmas. Sigmas that an undetected effect leaves too
 small are worse than some that are too large, so that a preliminary test of this kind has a level of
@@ -52,7 +52,7 @@ LOOSE = 10.0
 def with_scatter(
     result: AdjustmentResult, here: Linearised, origins: Array, *, progress: Progress = no_progress
 ) -> AdjustmentResult:
-    """The result with the sigmas of its angles raised by what parts of the scene tell.
+    """The result with the sigmas of its angles raised by the scatter of parts of the scene.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def excess_variance(here: Linearised, origins: Array, *, progress: Progress = no
 
 
 def raised_by_parts(here: Linearised) -> Array:
-    """Factors of the sigmas of the angles, shape (3,), from leaving out lines and targets.
+    """Factors of the sigmas of the angles, shape (3,), from omitting lines and targets.
 
     Each is 1 where chance explains how the answers without one line, or one target, scatter.
 
@@ -118,7 +118,7 @@ def raised_by_parts(here: Linearised) -> Array:
 
 
 def _lines_and_targets(here: Linearised) -> Iterator[list[Flags]]:
-    """Groups of points to leave out: whole lines, and whole targets."""
+    """Groups of points to omit: whole lines, and whole targets."""
     observations, sighting = here.problem.observations, here.problem.groups.sighting
     target = observations.target_of_sighting[sighting]
     line = np.array([observations.lines.index(s.line) for s in observations.sightings])[sighting]
@@ -130,7 +130,7 @@ def _significant(differences: Array, predicted: Array) -> NDArray[np.bool_]:
     """Whether chance does not explain the scatter of each angle, shape (3,).
 
     The sum of the squares over that of the variances has about a chi-square distribution, with as
-    many degrees of freedom as the parts are worth (Satterthwaite 1946), one less for their mean.
+    the effective degrees of freedom of the parts (Satterthwaite 1946), minus one for their mean.
     The largest difference is tested by itself as well (Bonferroni): one line may be wrong alone.
     """
     from scipy.special import chdtri
@@ -146,7 +146,7 @@ def _significant(differences: Array, predicted: Array) -> NDArray[np.bool_]:
 
 
 def _kinds(here: Linearised, origins: Array) -> Iterator[list[Flags]]:
-    """Groups of points to leave out: places of the scene, and stretches of each line."""
+    """Groups of points to omit: places of the scene, and sections of each line."""
     problem = here.problem
     groups, observations = problem.groups, problem.observations
     assert groups.knots is not None
@@ -168,7 +168,7 @@ def _differences(
 ) -> tuple[Array, Array]:
     """Answers without a part less that of the whole, and their variances, (parts, 3) each.
 
-    Parts that the answer hangs on are not among them: its sigma says so already.
+    Excludes parts that the result depends on: its sigma includes this already.
     """
     found = []
     for part in parts:
@@ -194,7 +194,7 @@ def sigmas_without(here: Linearised, sightings: Flags) -> Array | None:
     Parameters
     ----------
     sightings : ndarray of shape (sightings,), bool
-        Those left out.
+        Omitted parts.
     """
     try:
         return np.asarray(np.sqrt(_without(here, sightings[here.problem.groups.sighting])[1]))

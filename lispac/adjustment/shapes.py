@@ -89,9 +89,9 @@ def counted_from(shapes: Array, origins: Array, is_sphere: NDArray[np.bool_]) ->
 
 
 def usual_radii(observations: Observations, mounting: Mounting) -> Observations:
-    """The same with unknown radii taken for known: the median of what each line alone says.
+    """The same with unknown radii fixed at the median of the radii from single lines.
 
-    All lines together, misplaced by a boresight that is off by degrees, would say a wrong one.
+    All lines together would give a wrong radius if the boresight is off by degrees.
     """
     unknown = [name for name, radius in observations.radii.items() if radius is None]
     if not unknown:

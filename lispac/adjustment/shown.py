@@ -1,4 +1,4 @@
-"""How an adjustment is told to people, alike in the window, the report and the command line."""
+"""Texts about an adjustment for the window, the report and the command line."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -52,7 +52,7 @@ def counted(number: int, what: str) -> str:
 
 
 VAGUE = 10.0
-"""Upper over lower end of a variance component's interval beyond which the data tell nothing."""
+"""Ratio of the ends of a variance component's interval beyond which it is not determined."""
 
 
 def component_finding(found: Component) -> Message:
@@ -67,7 +67,7 @@ def component_finding(found: Component) -> Message:
 
 
 def parameter(name: str) -> str:
-    """A value of the mounting in words; an angle's name is its own."""
+    """Text for a mounting parameter; an angle has its own name."""
     if name not in QUANTITIES:
         return name
     words = QUANTITIES[name].title

@@ -16,25 +16,25 @@ from lispac.causes import Cause
 from lispac.messages import Message, note, shortened, warning
 
 MUCH_NOISE = 2.0
-"""Factor on the stated LiDAR noise that is no matter of a few tenths of a millimetre any more."""
+"""Factor on the given LiDAR noise from which the excess exceeds a few tenths of a millimetre."""
 
 FORM_AS_NOISE = 2**0.5
 """Factor from which form errors have a larger variance than the LiDAR noise."""
 
 ANOTHER_SURFACE = 30.0
-"""Factor that no rough ground reaches; that has half of it at most."""
+"""Factor on the noise that rough ground never reaches; it reaches at most half of it."""
 
 STRAY_CHANCE = 0.001
 """Share of points beyond the test's critical value by chance."""
 
 FEW_STRAYS = 0.005
-"""Share of strays that any survey has; fewer are not worth the reader's time."""
+"""Usual share of outliers; no warning is given below it."""
 
 MOST_JUMPED = 0.2
-"""Share of the lines beyond which lines that were let go of make the rest doubtful."""
+"""Share of lines rejected as a whole from which the other lines are questionable too."""
 
 SHIFTED = 2.0
-"""Test value below which a sighting that was let go of is not off by its shift."""
+"""Test value below which a rejected sighting is not explained by a shift."""
 
 
 def contradicted(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -132,7 +132,7 @@ def noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
 
 
 def form_factor(target: TargetResidual) -> float:
-    """Noise that form errors explain, over the stated one; of earlier results, all noise."""
+    """Noise that form errors explain, over the given one; of earlier results, all noise."""
     return target.noise if target.noise_of_form is None else target.noise_of_form
 
 

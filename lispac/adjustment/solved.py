@@ -1,4 +1,4 @@
-"""The equations at an answer that was found before, for what is asked of them afterwards."""
+"""Normal equations at a stored solution, for later computations."""
 
 from dataclasses import dataclass
 from typing import Self
@@ -28,7 +28,7 @@ class Solved:
     Attributes
     ----------
     here : Linearised
-        Without the sightings that were let go of. Weights follow the answer (Newton): held fast,
+        Without the rejected sightings. Weights follow the solution (Newton): if they were fixed,
         the answers of parts would scatter too little.
     origins : ndarray of shape (targets, 3), metres, local frame
         Middles that the coordinates of each target are counted from.

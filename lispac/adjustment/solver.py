@@ -46,13 +46,13 @@ MANY = 50_000
 COMPONENT_ROUNDS = 5
 
 RAISED = 1.05
-"""Factor on a stated sigma below which raising it would change nothing worth telling."""
+"""Factor on a given sigma below which an increase has no relevant effect."""
 
 SHORTER_TIMES = (0.3, 0.1, 0.03)
 """Factors on the correlation times that are tried where the residuals are too large."""
 
 REJECTION_LEVEL = 1e-4
-"""Probability that correlation times are shortened though the stated ones are right."""
+"""Probability that correlation times are shortened though the given ones are right."""
 
 CONTRADICTED = {
     "range_offset": "adjustment.contradicts_range_offset",
@@ -62,7 +62,7 @@ CONTRADICTED = {
 """Code of the message that the data contradict a given value."""
 
 MOST_RELEASED = 3
-"""No more than one sighting in so many is let go of."""
+"""At most one in this number of sightings is rejected."""
 
 
 def adjust(
@@ -91,7 +91,7 @@ def adjust(
         The prior boresight as the starting value; all other values as they are known.
     parameters : tuple of Parameter
         Values of the mounting to estimate besides the boresight. One that the geometry does not
-        see is held, and the result says so.
+        determine is fixed, and the result reports it.
     shapes : ndarray of shape (targets, 4), optional
         Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
     components : bool
@@ -250,7 +250,7 @@ def _adjusted(
     few = _sampled(observations)
     origins = middles(few, mounting)
     few = about(few, origins)
-    # The radii of the balls are let go when the boresight is near.
+    # The radii of the balls are estimated once the boresight is near the solution.
     first = usual_radii(few, mounting)
     fitted = fit_shapes(first, mounting)
     if shapes is not None:
@@ -304,7 +304,7 @@ def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[
 
 
 def _require_determined_still(linearised: Linearised) -> None:
-    """Refuse what is left when sightings are let go of and surfaces are as different as they seem.
+    """Check that the angles are still determined after rejections, with estimated form errors.
 
     Raises
     ------
@@ -328,7 +328,7 @@ def _contradicted(wrong: Contradiction) -> Message:
 
 
 def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:
-    """All are held: independent POS errors would give them wrong values with small sigmas."""
+    """All are fixed: independent POS errors would give them wrong values with small sigmas."""
     return tuple(
         Estimate(
             each.name, float(problem.prior.values[each.index]), each.sigma,
@@ -339,14 +339,14 @@ def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:
 
 
 def _sampled(observations: Observations) -> Observations:
-    """Some of many points: they lead near the answer, and tell noise, surfaces and blunders."""
+    """A sample of the points: start values, noise, form errors and blunders are found with it."""
     if len(observations) <= MANY:
         return observations
     return observations.where(observations.sample(MANY / len(observations)))
 
 
 def _completed(near: Solution, observations: Observations, progress: Progress) -> Solution:
-    """Go on with all points from where a sample of them has led, and with what it has told."""
+    """Continue with all points from the solution of a sample, with its noise and form errors."""
     sample = near.linearised.problem
     problem = Problem.of(
         observations, sample.prior, sample.model, sample.parameters, sample.moments
@@ -375,7 +375,7 @@ def _may_release(model: StochasticModel) -> bool:
 def _led_by_most(
     problem: Problem, start: State, progress: Progress
 ) -> tuple[Solution, list[Blunder]]:
-    """Iterate without the sightings that are metres off; they may be taken back later.
+    """Iterate without the sightings that deviate by metres; they may be restored later.
 
     Held to their targets they would pull the whole of all others along: a shared POS error yields.
     """
@@ -403,15 +403,15 @@ def _led_by_most(
 
 
 def _let_go(solution: Solution) -> int:
-    """Sightings that are not held to their target's place."""
+    """Number of rejected sightings."""
     return int((~solution.linearised.problem.held).sum())
 
 
 def _agreeing(start: Solution, gone: list[Blunder], progress: Progress) -> Solution:
-    """Let go of what does not agree, with a sigma of the offsets' own where the data insist on it.
+    """Reject blunders; use a separate sigma of the offsets if the data require it.
 
-    Boards that are displaced from line to line and not bent would seem to be blunders, one after
-    the other; but so would those that a wrong value of the mounting displaces.
+    Boards that are displaced between lines, but not warped, would be rejected one after the other;
+    so would boards displaced by a wrong mounting parameter.
     """
     solution = _explained(start, gone, progress)
     here = solution.linearised
@@ -428,11 +428,11 @@ def _agreeing(start: Solution, gone: list[Blunder], progress: Progress) -> Solut
 
 
 def _explained(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
-    """Let go of what does not agree, but not of what a wrong value of the mounting explains.
+    """Reject blunders that a wrong mounting parameter does not explain.
 
-    A lever arm that is stated wrongly makes good sightings disagree, whole lines of them. Where the
-    values that the data contradict leave fewer to let go of, one a value, those alone are let go
-    of; the values are not estimated, and the result says that they are contradicted.
+    With a wrong given lever arm, good sightings of whole lines disagree. If freeing contradicted
+    parameters saves more rejections than there are parameters, only the other sightings are
+    rejected. The parameters are not estimated; the result lists the contradictions.
     """
     released = _without_blunders(solution, gone, progress)
     problem = solution.linearised.problem
@@ -464,10 +464,10 @@ def _explained(solution: Solution, gone: list[Blunder], progress: Progress) -> S
 
 
 def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
-    """Let go of the sightings that agree least, iterate, and again until all agree.
+    """Reject the least consistent sightings one at a time, and iterate, until all agree.
 
-    One blunder may make others look like it: what agrees without it is taken back, and so may be
-    what is ``gone`` already.
+    A blunder may make other sightings appear as blunders: these are restored if they agree without
+    it; this includes the sightings in ``gone``.
     """
     most = len(solution.linearised.problem.observations.sightings) // MOST_RELEASED
     gone = list(gone)
@@ -490,9 +490,9 @@ def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progres
 def _with_components(
     solution: Solution, total: Array, progress: Progress
 ) -> tuple[Solution, tuple[Component, ...], Array]:
-    """Adjust once more with the sigmas that the data tell, until they tell nothing new.
+    """Repeat the adjustment with the sigmas estimated from the data, until these converge.
 
-    ``total`` holds the factors on the stated sigmas that are in ``solution`` already.
+    ``total`` holds the factors on the given sigmas that are in ``solution`` already.
     """
     for _ in range(COMPONENT_ROUNDS):
         found = variance_components(solution.linearised)

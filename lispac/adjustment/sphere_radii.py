@@ -21,7 +21,7 @@ from lispac.survey.trajectory import Poses
 Array = NDArray[np.float64]
 
 FEWEST = 20
-"""Points of a sighting that tell a radius."""
+"""Smallest number of points of a sighting that determines a radius."""
 CHANCE = 1e-3
 """Probability that radii which agree seem to differ."""
 LEAST = 0.003

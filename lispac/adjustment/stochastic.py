@@ -2,7 +2,7 @@
 
 ``independent`` is the thesis: every point has a POS error of its own. An INS does not work like
 that: a target is crossed in about a second, and all its points share one slowly drifting POS
-error, which neighbouring sightings share in part. ``correlated`` says so: three position and
+error, which neighbouring sightings share in part. ``correlated`` models this: three position and
 three attitude errors are functions of time, drawn from a first-order Gauss-Markov process
 (Gelb 1974) with the trajectory's accuracy as its standard deviation, and are estimated along
 with the boresight.
@@ -44,7 +44,7 @@ class StochasticModel:
     offset : float or None, metres
         Sigma of the offsets where ``surface`` is that of the tilts alone.
     loss : {"none", "huber", "tukey"}
-        How stray points are weighted.
+        Loss function that weights outliers.
     """
 
     pos_errors: PosErrors = "correlated"
@@ -56,7 +56,7 @@ class StochasticModel:
 
     @property
     def knot_interval(self) -> float:
-        """Seconds between the knots of the POS error: closer for a process that forgets fast."""
+        """Seconds between the knots of the POS error: closer for short correlation times."""
         fastest = min(self.position_time, self.attitude_time)
         return float(np.clip(fastest / 250, SHORTEST_INTERVAL, KNOT_INTERVAL))
 
@@ -68,7 +68,7 @@ class StochasticModel:
 
 SHORTEST_INTERVAL, KNOT_INTERVAL = 0.02, 0.15
 """Seconds between the knots of the POS error. Halfway between two, a process of 300 s and 12 mm
-strays from their chord by 0.19 mm; that much is added to the noise of the points."""
+deviates from its chord by 0.19 mm; that much is added to the noise of the points."""
 
 SMALLEST_SIGMA = 1e-9
 """Metres and radians: an accuracy given as zero still needs a finite weight."""

@@ -113,7 +113,7 @@ def summary(
 
 
 def _statistic(linearised: Linearised, state: State, residuals: Array) -> float:
-    """``v' P v`` with the sigmas as stated and every point's full weight."""
+    """``v' P v`` with the sigmas as given and every point's full weight."""
     problem = linearised.problem
     statistic = float(residuals @ residuals)
     if problem.groups.knots is not None:
@@ -138,7 +138,7 @@ def _estimates(
         prior = float(problem.prior.values[parameter.index])
         value = float(state.mounting.values[parameter.index])
         sigma = float(np.sqrt(covariance[k, k]))
-        # Whether the data alone want another value than the one that was stated
+        # Whether the data alone want another value than the one that was given
         told = sigma**-2 - (0.0 if parameter.sigma is None else parameter.sigma**-2)
         spread = sigma**2 * np.sqrt(max(told, 0.0))
         found.append(
@@ -155,7 +155,7 @@ def _significance(change: float, sigma: float) -> float:
 
 
 def _noise_of_form(problem: Problem, state: State, standardised: Array) -> Array:
-    """`noise_of_form` of planes with more than the stated noise, NaN of others."""
+    """`noise_of_form` of planes with more than the given noise, NaN of others."""
     of_interest = (problem.noise > 1) & ~problem.observations.is_sphere
     return noise_of_form(problem.observations, state.mounting, standardised, of_interest)
 

@@ -108,7 +108,7 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """What makes a point's weight besides its stated sigmas.
+    """What makes a point's weight besides its given sigmas.
 
     Attributes
     ----------

@@ -20,10 +20,10 @@ LARGE_SIGMA_DEG = 0.1
 """An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
 
 RAISED = 1.05
-"""Factor on a sigma from which a warning says that it was raised."""
+"""Factor on a sigma from which a warning reports that it was raised."""
 
 HIGH_CORRELATION = 0.9
-"""Beyond it two angles are told apart mostly by their sum or difference."""
+"""Correlation beyond which mostly the sum or difference of two angles is determined."""
 
 FLAT = 0.005
 """Metres: sigma of the surfaces that no flat board has."""
@@ -124,7 +124,7 @@ def _parts(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Message]
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
     apart = [_disagreeing(part) for part in parts if part.kind != "half"]
-    # Two halves differ from each other: the second one says the same.
+    # Two halves differ from each other: the second one gives the same message.
     apart += [_disagreeing(part) for part in halves[:1]]
     if apart:
         yield note(

@@ -119,7 +119,7 @@ def _current(arguments: Namespace, target: Setup) -> Present | None:
     Raises
     ------
     UsageError
-        Where they are stated twice.
+        Where they are given twice.
     """
     if arguments.current_matrix is None:
         if arguments.current is None:

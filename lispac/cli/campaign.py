@@ -1,4 +1,4 @@
-"""``lispac campaign``: many simulated surveys of a plan, and whether its sigmas hold."""
+"""``lispac campaign``: many simulated surveys of a plan, and a check of its sigmas."""
 
 from argparse import Namespace
 
@@ -14,7 +14,7 @@ from lispac.workflow.plan_checks import headline, many_surveys
 
 
 def campaign(arguments: Namespace) -> None:
-    """Print how the answers scatter beside the stated and the foretold sigmas."""
+    """Print the scatter of the results, their sigmas and the predicted sigmas."""
     titled = read_plan(arguments.plan)
     with (
         ConsoleProgress() as progress,

@@ -1,4 +1,4 @@
-"""``lispac compare PROJECT``: what other methods say of the same lines."""
+"""``lispac compare PROJECT``: results of alternative methods on the same lines."""
 
 import sys
 from argparse import Namespace
@@ -28,7 +28,7 @@ WANTED: dict[Method, str] = {
 
 
 def compare_methods(arguments: Namespace) -> None:
-    """Show the answers side by side; with ``--compute`` ask for those that are missing.
+    """Print the results of all methods; with ``--compute`` compute missing ones.
 
     Raises
     ------

@@ -23,7 +23,7 @@ from lispac.workflow.simulated_setup import file_of
 
 
 def design(arguments: Namespace) -> None:
-    """Search; print the best plan, what each part is worth and what less time costs."""
+    """Search; print the best plan, the information gain of its parts and the cost of less time."""
     title, site = read_site(file_of("site", arguments.site, None))
     objective = Objective(arguments.criterion, tuple(arguments.pos_factors))
     with (

@@ -1,4 +1,4 @@
-"""``lispac estimate``: adjust a project or plane files, and say what came of it."""
+"""``lispac estimate``: adjust a project or plane files, and print the result."""
 
 from argparse import Namespace
 from collections.abc import Iterable, Sequence
@@ -193,7 +193,7 @@ def _degrees(values: Any) -> dict[str, float] | None:
 
 
 def project_numbers(project: Project) -> dict[str, Any]:
-    """What `numbers` says, of a project."""
+    """The values of `numbers` for a project."""
     assert project.result is not None
     said = numbers(project.result, project.cross_checks, project_doubts(project))
     return said | {"subsample_m": project.settings.subsample}

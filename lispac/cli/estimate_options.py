@@ -38,7 +38,7 @@ def lidar_noise(parser: argparse.ArgumentParser) -> None:
 
 
 def offsets(parser: argparse.ArgumentParser) -> None:
-    """Let a command take what the readings are known to be off by."""
+    """Add the options for known systematic errors of the scanner."""
     for name, unit, text in (
         ("range-offset", "METRES", "added to every range"),
         ("scan-angle-offset", "DEGREES", "turns every beam about the x axis of the scanner"),

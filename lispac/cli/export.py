@@ -24,7 +24,7 @@ FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "pl
 
 
 def export(arguments: Namespace) -> None:
-    """Write what is asked for and print the names of the files.
+    """Write the selected data and print the names of the files.
 
     Raises
     ------

@@ -15,7 +15,7 @@ from lispac.workflow.history import Entry, History, histories, verdict
 
 
 def history(arguments: Namespace) -> None:
-    """Print a table for each system; draw the first's chart where one is asked for."""
+    """Print a table for each system; draw the chart of the first on request."""
     with ConsoleProgress() as progress:
         found, remarks = histories(arguments.folders, vessel=arguments.vessel, progress=progress)
     if arguments.picture is not None:

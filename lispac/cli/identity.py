@@ -1,4 +1,4 @@
-"""``lispac identity``: who, when and with what, as the report says it."""
+"""``lispac identity``: surveyor, dates and instruments for the report."""
 
 import sys
 from argparse import Namespace

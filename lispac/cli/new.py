@@ -22,7 +22,7 @@ from lispac.workflow.survey import Survey
 
 
 def new(arguments: Namespace) -> None:
-    """Make a project; the lines are read once, so that what cannot be used is said now."""
+    """Create a project; the lines are read once, so that unusable ones are reported now."""
     columns = tuple(arguments.columns.split(",")) if arguments.columns else ()
     given: dict[str, Any] = {
         "boresight_deg": arguments.boresight,

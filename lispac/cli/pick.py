@@ -102,7 +102,7 @@ def _require_together(arguments: Namespace) -> None:
 
 
 def _how(arguments: Namespace) -> dict[str, Any]:
-    """How targets are sought: further arguments of `lispac.workflow.picking.find`."""
+    """Settings of the target search: further arguments of `lispac.workflow.picking.find`."""
     expected = None
     if arguments.expected is not None:
         width, height, tilt_deg = arguments.expected

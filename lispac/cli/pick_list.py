@@ -56,7 +56,7 @@ def pick_list(
         print_json({"seeds": [_as_json(project, survey, outcome) for outcome in outcomes]})
     else:
         _print(outcomes, len(survey.lines))
-    sys.stdout.flush()  # the table stands before what is said of it
+    sys.stdout.flush()  # the table comes before the messages about it
     require_all_found(seeds, outcomes)
 
 

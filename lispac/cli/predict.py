@@ -16,7 +16,7 @@ from lispac.workflow.plan_checks import cautions, remarks_on
 
 
 def predict(arguments: Namespace) -> None:
-    """Print sigmas, correlations, what is weak, and what each target and line is worth."""
+    """Print sigmas, correlations, weaknesses, and the information gain of targets and lines."""
     titled = read_plan(arguments.plan)
     plan = titled.plan
     found, valued = foretold(plan), worth(plan, Objective())

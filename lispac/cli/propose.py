@@ -19,7 +19,7 @@ from lispac.workflow.target_search import thinned_notes
 
 
 def propose(arguments: Namespace) -> None:
-    """Detect planes in all lines, say which to use and why, and add them where that is wanted.
+    """Detect planes in all lines, propose targets with reasons, and add them on request.
 
     Raises
     ------

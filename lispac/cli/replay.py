@@ -13,7 +13,7 @@ from lispac.workflow.survey import load_survey
 
 
 def replay(arguments: Namespace) -> None:
-    """Print what was foretold, what of it was sailed, and what came of it."""
+    """Print the predicted sigmas, the lines as sailed, and the sigmas obtained."""
     titled = read_plan(arguments.plan)
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:

@@ -1,4 +1,4 @@
-"""The commands of the report and of what it says of who, when and with what."""
+"""Options of the commands ``report`` and ``identity``."""
 
 import argparse
 from pathlib import Path

@@ -11,7 +11,7 @@ from lispac.workflow.survey import load_survey
 
 
 def script(arguments: Namespace) -> None:
-    """Print the script, or write it, and say where it differs from the project."""
+    """Print or write the script, and report where it differs from the project."""
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)

@@ -47,7 +47,7 @@ def surface(text: str) -> float | str:
 
 
 def picture_file(text: str) -> Path:
-    """A file to draw to; its ending says in which form.
+    """Path of a figure; its extension selects the format.
 
     Raises
     ------

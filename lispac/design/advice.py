@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 HEADINGS = np.radians(np.arange(0, 360, 15))
 SPEED = 1.0  # metres per second
 WORTH_IT = 0.85
-"""A line that leaves more than this share of the sigma is not worth sailing for it."""
+"""Share of the sigma: a line that does not reduce it below this share is not recommended."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +67,7 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
 
 
 def _taking_part(result: AdjustmentResult) -> tuple[Parameter, ...]:
-    """What is held without a sigma takes no part; what no line sees keeps its stated one."""
+    """Parameters fixed without a sigma are excluded; undetermined ones keep their given sigma."""
     if not result.model.correlated:
         return ()  # thesis mode estimates the angles alone
     return tuple(
@@ -135,7 +135,7 @@ def _line_for(result: AdjustmentResult, best: FurtherLine, angle: int, *, helps:
 
 
 def _ruled(observations: Observations, result: AdjustmentResult) -> tuple[list[str], ...]:
-    """Of each angle the stated values, not seen, whose sigma no data bring its own below.
+    """Of each angle the given values, not seen, whose sigma no data bring its own below.
 
     They are found by what the sigmas would be if a value were known exactly.
     """

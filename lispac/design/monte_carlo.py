@@ -1,4 +1,4 @@
-"""Do the sigmas hold? A plan surveyed many times, each survey adjusted like any other."""
+"""Monte Carlo check of predicted sigmas: a plan is simulated and adjusted many times."""
 
 from dataclasses import dataclass
 
@@ -25,7 +25,7 @@ SURE = 3.0
 """Standard deviations of chance beyond which a share of intervals is not by chance."""
 
 ENOUGH = 20
-"""Surveys that tell a standard deviation to a sixth; of fewer nothing is said."""
+"""Surveys that determine a standard deviation to a sixth; fewer give no result."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +62,12 @@ class Scatter:
 
     @property
     def hits(self) -> Array:
-        """Share of the stated 95 % intervals that hold the truth, shape (3,)."""
+        """Share of the given 95 % intervals that contain the truth, shape (3,)."""
         return np.asarray((np.abs(self.errors) < 1.96 * self.sigmas).mean(axis=0))
 
     @property
     def ratio(self) -> Array:
-        """``empirical`` over ``foretold``, shape (3,)."""
+        """``empirical`` divided by ``foretold``, shape (3,)."""
         return self.empirical / self.foretold
 
     @property
@@ -87,7 +87,7 @@ class Scatter:
 
     @property
     def chi_square(self) -> float:
-        """Of all errors with the foretold covariance; as many as there are angles expected."""
+        """Of all errors with the predicted covariance; expected value: the number of angles."""
         unit, inverse = self.errors / self.foretold, np.linalg.inv(self.correlation)
         return float(np.einsum("ni,ij,nj->", unit, inverse, unit))
 
@@ -192,7 +192,7 @@ def surveyed(
     seed : int
         Every survey has its own stream of it: the same numbers with any mapper.
     flatness_known : bool
-        Whether the adjustment is told how flat the targets are, and does not ask the data.
+        Whether the flatness of the targets is given to the adjustment, not estimated.
     enough : int, optional
         Surveys that are an answer where ``progress`` cancels the rest.
     mapper : callable
@@ -203,7 +203,7 @@ def surveyed(
     RankDeficient
         The plan does not determine the boresight.
     LispacError
-        No survey could be adjusted, or one flatness is to be told where targets have their own.
+        No survey could be adjusted, or one flatness is given although targets have their own.
     Cancelled
         Where fewer than ``enough`` are done.
     """

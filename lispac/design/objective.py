@@ -28,7 +28,7 @@ CRITERIA: dict[Criterion, str] = {
 
 BY_EYE = np.radians(10.0)
 """A mounting is known so well before anything is measured: what keeps the number of a plan finite
-that determines nothing, so that a search can tell bad from worse."""
+that determines nothing, so that a search can compare them."""
 
 
 _OF: dict[Criterion, Callable[[Array], float]] = {
@@ -49,7 +49,7 @@ class Objective:
     ----------
     criterion : {"largest", "roll", "pitch", "yaw", "A", "D"}
     pos_factors : tuple of float
-        How good the POS will be on the day is not known: times its stated sigmas, and the mean over
+        How good the POS will be on the day is not known: times its given sigmas, and the mean over
         them counts.
     """
 
@@ -75,7 +75,7 @@ class Objective:
         return float(np.mean([self.of_prediction(each) for each in found]))
 
     def of_prediction(self, prediction: Prediction) -> float:
-        """The number of what was foretold, radians; by the worst angle where one is left open."""
+        """Value of the criterion, radians; that of the worst angle if one is undetermined."""
         covariance = np.linalg.inv(prediction.information + np.eye(3) / BY_EYE**2)
         return _OF[self.criterion if prediction.determined else "largest"](covariance)
 

@@ -1,4 +1,4 @@
-"""The sigmas that a survey would give, foretold by the adjustment itself.
+"""Sigmas of a planned survey, predicted with the normal equations of the adjustment.
 
 No point is simulated: the sigmas of a least-squares adjustment follow from where the points lie,
 not from their errors. A few points stand for all that the scanner would measure on a target, each
@@ -30,7 +30,7 @@ GRID = 4
 of them change no sigma by a percent."""
 
 FLATTEST = 1e-6
-"""Metres: a target said to be perfectly flat beside others that are not."""
+"""Metres: flatness of a target specified as perfectly flat."""
 
 FEWEST = 20
 """Points below which a sighting is too few to be picked."""
@@ -57,7 +57,7 @@ class Prediction:
 
     @property
     def determined(self) -> bool:
-        """Whether all three angles are told to better than a degree."""
+        """Whether all three angles are determined to better than a degree."""
         return bool(np.linalg.eigvalsh(self.information)[0] >= WORST_SIGMA**-2)
 
     @property

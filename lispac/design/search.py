@@ -1,6 +1,6 @@
 """The best site: which boards to hang where, and which lines to sail past them.
 
-Where the plans are few, all are looked at, and the best is the best. Where they are many,
+If there are few plans, all are evaluated. If there are many,
 differential evolution (Storn and Price 1997, as scipy has it) searches among them, and the best
 that it finds are improved by exchanging one board or line at a time for any other that is allowed
 (coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
@@ -28,7 +28,7 @@ Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 """Calls a function on each of many values, in whatever process; the answers in order."""
 
 EXACTLY = 20_000
-"""Plans up to which all are looked at."""
+"""Number of plans up to which all are evaluated."""
 
 POPULATION = 8
 """Plans a generation for each choice that is open."""
@@ -37,12 +37,12 @@ IMPROVED = 2
 """Plans of the last generation that are improved: each leads to the best one near it."""
 
 HARDLY = 1e-3
-"""Relative gain that is worth an exchange."""
+"""Smallest relative gain for an exchange."""
 
 
 @dataclass(frozen=True)
 class InformationGain:
-    """What a target or a line is worth: the number of the plan without it, radians.
+    """Information gain of a target or a line: the criterion of the plan without it, radians.
 
     Infinite where an angle would be left open.
     """
@@ -78,7 +78,7 @@ class Design:
     value : float, radians
         Of the objective.
     exact : bool
-        Whether all plans were looked at, so that none is better.
+        Whether all plans were evaluated, so that none is better.
     looked_at : int
         Plans.
     worth : tuple of InformationGain
@@ -111,7 +111,7 @@ def search(
     Parameters
     ----------
     plans : int
-        About how many to look at where there are too many to look at all.
+        Approximate number of evaluations if there are too many plans.
     seed : int
         The same seed finds the same plan, with any mapper.
     start : Plan, optional
@@ -151,7 +151,7 @@ def search(
 def worth(
     plan: Plan, objective: Objective, *, progress: Progress = no_progress
 ) -> tuple[InformationGain, ...]:
-    """What each target and each line is worth, the most valuable first."""
+    """Information gain of each target and each line, largest first."""
     found: list[InformationGain] = []
     every = len(plan.targets) + len(plan.lines)
     for k, target in enumerate(plan.targets):
@@ -166,7 +166,7 @@ def worth(
 
 
 class _CountingMapper:
-    """A mapper that counts what it was asked, and reports."""
+    """A mapper that counts evaluations and reports progress."""
 
     def __init__(self, mapper: Mapper, progress: Progress, expected: int) -> None:
         self.mapper, self.progress, self.expected = mapper, progress, expected
@@ -255,7 +255,7 @@ def _exchanged(space: DesignSpace, choice: Choice, mapper: Mapper) -> Choice:
 
 
 def _front(site: Site, plan: Plan, objective: Objective) -> tuple[Step, ...]:
-    """What is left out first: step by step what costs least for the minutes it saves."""
+    """Plans with less time: each step removes what costs the least precision for the time saved."""
     steps = [Step(plan, site.minutes(plan), objective.of(plan))]
     while True:
         now = steps[-1]

@@ -1,6 +1,6 @@
 """A plan as it could come out: one survey with all its points and all its errors.
 
-Nothing of it comes from the foretelling (`lispac.design.prediction`) but how many points a
+It is independent of the prediction (`lispac.design.prediction`), except for how many points a
 sighting has: the boards lie off their shape, the LiDAR has noise, the POS errors drift, and the
 vessel rolls.
 """

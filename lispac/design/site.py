@@ -20,7 +20,7 @@ LARGER = 3.0
 
 @dataclass(frozen=True)
 class Wall:
-    """A wall on the water, looked at from there.
+    """A wall on the water, in the coordinates of an observer there.
 
     Attributes
     ----------

@@ -91,7 +91,7 @@ def local_planes(
     neighbours : ndarray of shape (n, k)
         Indices into ``points`` of each group.
     counts : ndarray of shape (n,), optional
-        How many of each row count; all of them when left out.
+        How many of each row count; all of them if omitted.
 
     Returns
     -------

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 # Below this share of the largest spread the points are taken to lie on one straight line.
 LINE_SHARE = 1e-6
 
-REFITS = 12  # of a plane that resists strays
+REFITS = 12  # of a robust plane
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
     ----------
     points : ndarray of shape (n, 3), metres, any frame
     weights : ndarray of shape (n,), optional
-        Not negative; all alike when left out.
+        Not negative; all alike if omitted.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
 
 
 def fit_plane_resisting(points: Array, nearest: float) -> Plane:
-    """Fit a plane by the least sum of distances, which a third of strays does not move far.
+    """Fit a plane by the least sum of distances, robust against a third of outliers.
 
     By least squares with weights from the distances (Schlossmacher 1973), a fixed number of times:
     a beginning, not a limit that is reached.

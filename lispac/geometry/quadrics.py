@@ -14,7 +14,7 @@ Indices = NDArray[np.intp]
 
 TERMS = 6
 _SINGULAR = 1e-10
-"""Share of its own square below which a pivot says that the points do not determine a quadric."""
+"""Share of its own square below which a pivot means that a quadric is not determined."""
 
 
 @dataclass(frozen=True, eq=False)

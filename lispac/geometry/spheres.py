@@ -12,7 +12,7 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-# Steps of the geometric fit; a well-determined cap settles in four to ten.
+# Steps of the geometric fit; a well-determined cap converges in four to ten.
 MOST_STEPS = 100
 # A step this small beside the size of the cap ends the fit, and so does a radius so many times the
 # size of the cap: that is a plane.
@@ -76,9 +76,9 @@ def fit_sphere(
     ----------
     points : ndarray of shape (n, 3), metres, any frame
     radius : float, metres, optional
-        The known radius; sought too when left out.
+        The known radius; estimated if omitted.
     weights : ndarray of shape (n,), optional
-        Not negative; all alike when left out.
+        Not negative; all alike if omitted.
     start : Sphere, optional
         Where to begin. Without it the fit begins with the algebraic sphere and, for a known
         radius, from both sides of the points, of which the better one is taken.
@@ -86,7 +86,7 @@ def fit_sphere(
     Raises
     ------
     SphereNotFound
-        Fewer than four points, points in one plane, a cap too flat for its noise to tell the
+        Fewer than four points, points in one plane, a cap too flat for its noise to determine the
         radius, or, with a known radius, the side the centre is on.
     """
     if radius is not None and not (np.isfinite(radius) and radius > 0.0):
@@ -158,12 +158,12 @@ def share_seen(sphere: Sphere, points: Array) -> float:
 
 
 def _free(points: Array, weights: Array, start: Sphere) -> Sphere:
-    """Centre and radius both sought.
+    """Fit of centre and radius.
 
     Raises
     ------
     SphereNotFound
-        Where the noise is too large to tell the radius.
+        Where the noise is too large to determine the radius.
     """
     sphere, square, normal = _settle(points, weights, start, free=True)
     flat = not sphere.radius < FLAT or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
@@ -185,7 +185,7 @@ def _algebraic(points: Array, weights: Array) -> Sphere:
 
 
 def _known(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
-    """Centre sought from every start; all have the known radius.
+    """Fit of the centre from every start value, with a known radius.
 
     Raises
     ------

@@ -24,7 +24,7 @@ IMPORT_AFTER_MS = 300
 
 
 class Application(QApplication):
-    """Told by the system which document to open: macOS does not start a second program for it."""
+    """Receives the document to open: macOS does not start a second program for it."""
 
     document_asked = Signal(Path)
 

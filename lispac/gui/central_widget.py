@@ -10,7 +10,7 @@ from lispac.gui.tour import TourCard
 from lispac.gui.viewport.base import Viewport
 
 RING = 2
-"""Width of the frame that tells the view has the keys, pixels."""
+"""Width of the frame that shows the keyboard focus of the view, pixels."""
 
 
 class CentralWidget(QWidget):

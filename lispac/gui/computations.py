@@ -215,7 +215,7 @@ class Computations(QObject):
     def _count_again(self) -> None:
         last = self._counting
         if last is not None and last.error is not None and not isinstance(last.error, Cancelled):
-            return  # it would end so again, and say so again
+            return  # it would fail again with the same message
         if self._stale_count:
             self.count(self._subsample)
 

@@ -36,9 +36,9 @@ class Controller(QObject):
     accepted = Signal(str)
     """Name of the target that was just accepted."""
     noted = Signal(str)
-    """Something worth a line in the log and the status bar."""
+    """A message for the log and the status bar."""
     refused = Signal(object)
-    """An error the user is to be told of."""
+    """An error to show to the user."""
     files_missing = Signal(object)
     """A project that cannot be opened before its files are found."""
 
@@ -147,7 +147,7 @@ class Controller(QObject):
 
         def done(added: Opened) -> None:
             edited, survey = added
-            self._drop_candidate()  # it was sought in the lines there were
+            self._drop_candidate()  # it was searched for in the lines of that time
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
@@ -281,7 +281,7 @@ class Controller(QObject):
     # -- seeds -------------------------------------------------------------------------------
 
     def seed(self, point: PickedPoint, seed_options: SeedOptions) -> None:
-        """Find the target under a click and offer it.
+        """Find the target under a click and show it for acceptance.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
         with its role and shape.
@@ -290,7 +290,7 @@ class Controller(QObject):
             self._seek(self._scene.to_prior(point), seed_options, first_line=point.line)
 
     def seek(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
-        """Find the target at a place and offer it; with no ``name`` it gets the next free one.
+        """Find the target at a place and show it for acceptance; ``name`` defaults to a free one.
 
         Parameters
         ----------
@@ -437,7 +437,7 @@ def demo_folder() -> Path:
 
 
 def _with_lines(project: Project, progress: Progress) -> Opened:
-    """The lines of a project; and what is looked for now is known when it is to be shown."""
+    """The lines of a project; and what is searched for now is known when it is to be shown."""
     survey = load_survey(project, progress=progress)
     project_doubts(project)
     return project, survey

@@ -76,7 +76,7 @@ def raise_panel(panel: QWidget) -> None:
 
 
 def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """Give the panels the room they have at first."""
+    """Restore the original sizes of the panels."""
     sides = [docks[WORKFLOW], docks[RESULTS]]
     window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
     below = [docks[SIGHTINGS]]

@@ -23,7 +23,7 @@ class _State:
     ----------
     follows : whether its result is computed without being asked for
     refusal : why there is no such result
-    refused_since : why an estimate was refused that was asked for after the result
+    refused_since : why an estimate after the result was refused
     """
 
     project: Project
@@ -65,7 +65,7 @@ class Document(QObject):
     left = Signal()
     """What was shown goes; `opened` follows."""
     survey_changed = Signal()
-    """Data were loaded or let go; `changed` follows."""
+    """Data were loaded or released; `changed` follows."""
     opened = Signal()
     """Another project, or none, is in the document."""
     modified = Signal(bool)
@@ -108,7 +108,7 @@ class Document(QObject):
 
     @property
     def refused_since(self) -> Message | str:
-        """Why an estimate was refused that was asked for after the result; empty where none was."""
+        """Why a later estimate was refused; empty if none was."""
         return "" if self._state is None else self._state.refused_since
 
     @property
@@ -138,7 +138,7 @@ class Document(QObject):
         self.show_again()
 
     def show_again(self) -> None:
-        """Tell of the project as of one that was just opened."""
+        """Emit the signals of a project that was just opened."""
         self.left.emit()
         self.survey_changed.emit()
         self.opened.emit()

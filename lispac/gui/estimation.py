@@ -75,7 +75,7 @@ class Estimation(QObject):
     """Runs the adjustment, and keeps the selected points so that the next one is quick."""
 
     estimated = Signal()
-    """An adjustment that was asked for has a result."""
+    """A requested adjustment has a result."""
 
     def __init__(
         self, document: Document, runner: TaskRunner, scene: Scene, controller: Controller
@@ -118,7 +118,7 @@ class Estimation(QObject):
             self._selection, self._wants_checks = answer.selection, cross_check
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._document.edit(N_("estimate"), answer.estimated, survey=answer.replaced)
-            # Another survey made the scene let go of what it had.
+            # Another survey: the scene has released its data.
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._scene.show("estimated")
             self._note(answer.estimated, ESTIMATED)
@@ -142,7 +142,7 @@ class Estimation(QObject):
         self._wants_checks = project is not None and project.cross_checks is not None
 
     def _keep_older(self, error: BaseException) -> None:
-        """Remember that what was asked for was refused, where an older result stays."""
+        """Remember that the estimate was refused while the previous result is kept."""
         asked = self._asked
         if asked is not None and asked.error is error and isinstance(error, LispacError):
             self._document.keep_older(error.reason)

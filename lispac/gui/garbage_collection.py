@@ -24,7 +24,7 @@ ALL_S = 15.0
 gone lies in cycles with the lines it was asked about: by counts alone that came to 1.2 GB."""
 
 NEW_MODULES = 30
-"""So many that came since, and they are looked at once and no more. While a library is imported,
+"""So many that came since, and they are examined once and no more. While a library is imported,
 every tenth of a second brings some: all of them at once take a quarter of a second."""
 
 M_TRIM_THRESHOLD, M_MMAP_THRESHOLD, APART = -1, -3, 2_000_000
@@ -38,14 +38,14 @@ REST_S = 5.0
 class GarbageCollection(QObject):
     """Collects in the thread it lives in, from when it is made until it is ended.
 
-    The modules that are there when it is made, and those that come, are not looked at again: they
+    The modules that are there when it is made, and those that come, are not examined again: they
     stay anyhow, and looking takes 0.16 s. What else was there then is, when a window has gone.
     """
 
     left_alone = 0
-    """Modules that are not looked at."""
+    """Modules that are not examined."""
     with_windows = False
-    """Whether a window was there when they were counted, and is not looked at either."""
+    """Whether a window was there when they were counted, and is not examined either."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -105,7 +105,7 @@ class HoverPreview(QObject):
         return sketch_of(near, patch, point.line)
 
     def _is_found(self, point: PickedPoint) -> bool:
-        """Whether the candidate is there, which tells what a click took; labels would collide."""
+        """Whether a candidate is shown, which shows what a click took; labels would collide."""
         candidate = self._controller.candidate
         if candidate is None:
             return False

@@ -81,7 +81,7 @@ class MainWindow(QMainWindow):
     """
 
     renewal_asked = Signal()
-    """Another language or other looks: a window is to be made in place of this one."""
+    """Another language or theme: a new window replaces this one."""
 
     def __init__(
         self,
@@ -159,7 +159,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(self.actions_.fill_toolbar())
         self.docks = self._docks()
         self._at_first = self.saveState()
-        # A dock behind another counts as visible; only this signal tells.
+        # A dock behind another counts as visible; only this signal is reliable.
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.be_seen)
         self.actions_.fill_menus(docks.switches(self.docks))
         screen = self.screen().availableGeometry()
@@ -297,7 +297,7 @@ class MainWindow(QMainWindow):
         self.log.note(text)
         self.task_bar.showMessage(text, NOTE_MS)
 
-    # -- what is asked -----------------------------------------------------------------------
+    # -- requests --------------------------------------------------------------------------
 
     def open_project(self, path: Path) -> None:
         """Open a project, after asking about changes to the present one."""
@@ -341,7 +341,7 @@ class MainWindow(QMainWindow):
             self.renew()
 
     def renew(self) -> None:
-        """Ask for a window in the language and looks of the settings, once no task runs."""
+        """Request a window in the language and theme of the settings, once no task runs."""
         for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
                 self._note(gettext("The window changes when the running task has ended."))

@@ -31,7 +31,7 @@ BY_HAND = "H"
 
 
 class PatchObjects(QObject):
-    """Lays boxes in the worker, and tells of them by `laid`.
+    """Places boxes in the worker, and emits them with `laid`.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class PatchObjects(QObject):
     """
 
     laid = Signal(object, str)
-    """All objects, and the name of the one to look at, or ""."""
+    """All objects, and the name of the one to show, or ""."""
 
     def __init__(
         self,

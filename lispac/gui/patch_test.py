@@ -122,7 +122,7 @@ class PatchTestController(QObject):
     # -- what follows the angles -------------------------------------------------------------
 
     def _show_object(self) -> None:
-        """Another object is looked at, or otherwise."""
+        """Another object is examined, or otherwise."""
         each, survey = self._object(self.panel.shown), self._survey
         if each is None or survey is None or self._laid is None:
             self._dense = self._live = None
@@ -274,7 +274,7 @@ class PatchTestController(QObject):
         )
 
     def find_all(self) -> None:
-        """Turn all three, and say how well they are known."""
+        """Estimate all three angles and their sigmas."""
         project, survey = self._ready()
         if project is None or survey is None or self._laid is None:
             return
@@ -399,7 +399,7 @@ def _clip(box: Box) -> ClipBox:
 
 
 def _sides(box: Box, view: int) -> tuple[Array, Array, Array]:
-    """What is to the right and upwards of a picture, and its size with some room, metres."""
+    """Axes to the right and upwards of a picture, and its size with a margin, metres."""
     ahead, left, up = box.axes
     room = 0.3
     if view == 0:

@@ -25,7 +25,7 @@ NO_SECTION = N_("No section is shown. Select a target and press S.")
 
 
 class Pictures(QObject):
-    """Takes them as they are shown, and tells where they went."""
+    """Saves or copies pictures as shown, and reports where."""
 
     def __init__(
         self,

@@ -24,13 +24,13 @@ SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
 )
 """Scales of colours for what was measured, and what is used of each from 0 to 1.
 
-The first is even in lightness, so that it is read without telling the colours apart; the ends of
+The first is even in lightness, so that it is read without distinguishing colours; the ends of
 some would be lost on the bright or the dark ground.
 """
 OUTER = 2.0
-"""Percent at either end that share the last colour: a few stray points must not take the scale."""
+"""Percent at either end with the last colour, so that outliers do not determine the scale."""
 LOOKED_AT = 100_000
-"""Points of a line that settle the ends of the scale."""
+"""Points of a line that determine the ends of the scale."""
 
 TITLES: dict[Colouring, str] = {
     "height": N_("Height (m)"),

@@ -76,7 +76,7 @@ class Preferences:
 
 
 class Preferring(QObject):
-    """Asks for preferences and applies them; joined to the window's parts."""
+    """Shows the settings dialogue and applies changes."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -85,7 +85,7 @@ class Preferring(QObject):
         window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
 
     def ask(self) -> None:
-        """Ask, and apply what was chosen at once; other words or looks need another window."""
+        """Show the dialogue and apply changes; a new language or theme needs a new window."""
         window, settings = self._window, self._window.settings
         before = _looks(settings)
         answer = window.dialogs.preferences(Preferences.of(settings), settings)

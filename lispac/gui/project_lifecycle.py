@@ -49,7 +49,7 @@ class ProjectLifecycle(QObject):
         controller.files_missing.connect(self._seek_files)
 
     def may_leave(self) -> bool:
-        """Whether the present project may go; asks where it has changes."""
+        """Whether the present project may be closed; asks if it has changes."""
         project = self._document.project
         if project is None or not self._document.is_modified:
             return True
@@ -64,7 +64,7 @@ class ProjectLifecycle(QObject):
             self._controller.open(path)
 
     def new(self, paths: Sequence[Path] = ()) -> None:
-        """Ask what a new project holds, and make it; ``paths`` are files to begin with."""
+        """Show the import dialogue for a new project and create it; ``paths`` are initial files."""
         if self.may_leave():
             answer = self._dialogs.new_project(self._settings, paths)
             if isinstance(answer, Path):

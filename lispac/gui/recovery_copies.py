@@ -82,7 +82,7 @@ class RecoveryCopies(QObject):
             self._offer(project)
 
     def _alone(self, project: Project) -> bool:
-        """Whether no other window has the project; where nothing can be written nobody can tell."""
+        """Whether no other window has the project; unknown if nothing can be written."""
         lock = QLockFile(str(project.folder / LOCK_NAME))
         lock.setStaleLockTime(0)  # one whose program has ended is stale, however young
         self._lock = lock
@@ -169,7 +169,7 @@ class RecoveryCopies(QObject):
         return True
 
     def _cannot_keep(self, failure: BaseException) -> None:
-        # The next edit tries again: the disk may have room then, or the drive may be back.
+        # The next edit tries again: the disk may have space then, or the drive may be back.
         reason = failure.reason if isinstance(failure, LispacError) else str(failure)
         trouble = error("window.unsaved_work_not_kept", reason=reason)
         if trouble != self.trouble:

@@ -90,7 +90,7 @@ class Scene(QObject):
     def to_prior(self, point: PickedPoint) -> Callable[[], Triple]:
         """What finds, in any thread, where a clicked point lies with the prior boresight.
 
-        Targets are sought in those lines.
+        Targets are searched for in those lines.
         """
         survey = self._document.survey
         if survey is None or self.which == "prior":

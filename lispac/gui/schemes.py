@@ -9,8 +9,8 @@ Lines = tuple[tuple[int, int, int], ...]
 class Scheme:
     """Colours as ``#rrggbb``.
 
-    A name says what a colour is for. What is written on a ground of its own comes in threes: the
-    words, their ground and its edge.
+    A name gives the purpose of a colour. Text on its own background has three colours: text,
+    background and border.
 
     Attributes
     ----------
@@ -180,7 +180,7 @@ LIGHT = Scheme(
     series=("#0072b2", "#d55e00", "#009e73"),
     on_series="#ffffff",
     # Okabe and Ito's colours without black and yellow, then dark ones of Tol's muted set: any two
-    # neighbours in the list are told apart with every common kind of colour blindness.
+    # neighbours in the list are distinguished with every common kind of colour blindness.
     lines=(
         (0, 114, 178),
         (230, 159, 0),

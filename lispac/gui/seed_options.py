@@ -10,11 +10,11 @@ from lispac.targets.settings import USUAL, FinderChoices
 
 @dataclass(frozen=True)
 class SeedOptions:
-    """What is sought, and how.
+    """Options of the target search.
 
     Attributes
     ----------
-    line : the one line it is sought on, or None for all
+    line : the only line to search, or None for all
     selected : name of the selected target; with ``line`` it gets the sighting
     threshold, radius : metres, None for the usual ones
     """
@@ -31,7 +31,7 @@ class SeedOptions:
 
     @property
     def how(self) -> dict[str, Any]:
-        """For `lispac.workflow.picking.find`: how targets are sought, whatever their names."""
+        """For `lispac.workflow.picking.find`: the search settings, without names."""
         return {
             "shape": self.shape, "sphere_radius": self.sphere_radius, "expected": self.expected,
             "threshold": self.threshold, "radius": self.radius, "choices": self.choices,

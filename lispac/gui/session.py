@@ -1,4 +1,4 @@
-"""The window on the screen, and another in its place where language or looks change.
+"""The window on the screen, replaced by another one if language or theme change.
 
 Widgets are given their texts and colours when they are made. So the window is made anew around the
 same document: the project, its data and every undo step stay.
@@ -23,7 +23,7 @@ from lispac.gui.window_state import carry_over
 from lispac.io.project_file import UNSAVED_NAME
 
 LATER_MS = 500
-"""Between a change of the system's looks and ours; systems tell several times."""
+"""Delay after a change of the system theme; systems send several signals."""
 
 
 class Session(QObject):
@@ -114,7 +114,7 @@ class Session(QObject):
             self.window.renew()
 
     def renew(self) -> None:
-        """Put a window in the language and looks of the settings in place of this one."""
+        """Replace the window by one in the language and theme of the settings."""
         former = self.window
         former.keep_layout()
         former.recovery_copies.stop()

@@ -22,7 +22,7 @@ POINT_BUDGETS = range(100_000, 20_000_001)
 
 
 class AppSettings:
-    """Recent projects, layout and looks, kept in the user's cache folder.
+    """Recent projects, layout and theme, kept in the user's cache folder.
 
     Parameters
     ----------

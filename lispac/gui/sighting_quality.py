@@ -71,7 +71,7 @@ class QualityComputation(QObject):
         if project is None or survey is None or not document.survey_is_current:
             return
         if self._runner.active or document.awaits_result:
-            return  # the runner tells when it is idle
+            return  # the runner emits a signal when it is idle
         if self._candidate is not None and self._judges_candidate(self._candidate, project, survey):
             return
         task, asked = self._asked or (None, None)

@@ -263,7 +263,7 @@ class SiteDesign(QObject):
         self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
 
     def compare(self) -> None:
-        """Hold the survey of the main window against this plan."""
+        """Compare the survey of the main window with this plan."""
         assert self.window is not None
         project, survey = self._main.document.project, self._main.document.survey
         titled, window = self.workspace.titled, self.window
@@ -292,7 +292,7 @@ class SiteDesign(QObject):
         return self.runner, self.paper
 
     def _may_lose(self) -> bool:
-        """Whether the plan may go: it is saved, or the user says so."""
+        """Whether the plan may be closed: it is saved, or the user confirms."""
         if not self.workspace.history.changed:
             return True
         answer = self._dialogs.save_changes(self.workspace.titled.title)

@@ -9,11 +9,11 @@ import time
 from collections.abc import Callable
 
 SLICE_S = 0.03
-"""After so long the calculation rests, where it says that it may."""
+"""Seconds after which the calculation pauses where it allows it."""
 
 
 class _Abandoned(BaseException):
-    """Ends a calculation that nobody waits for any more."""
+    """Ends a calculation whose result is no longer needed."""
 
 
 class Slices:

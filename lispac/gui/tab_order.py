@@ -53,7 +53,7 @@ def in_turn(first: QWidget, others: Iterable[QWidget]) -> None:
 
 
 def enter(window: QMainWindow, event: QKeyEvent) -> bool:
-    """Press the button that has the focus on Enter, and say whether that was it."""
+    """Press the button that has the focus on Enter; return whether this was done."""
     focused = window.focusWidget()
     pressed = (
         event.key() in ENTERS

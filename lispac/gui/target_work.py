@@ -53,7 +53,7 @@ class TargetWork(QObject):
             self._targets.select(name)
 
     def propose(self) -> None:
-        """Detect planes in all lines, and offer what could be used."""
+        """Detect planes in all lines, and propose usable ones."""
         project, survey = self._ready()
         if project is None or survey is None:
             return

@@ -81,9 +81,9 @@ class TaskRunner(QObject):
     """Runs tasks one after the other."""
 
     changed = Signal()
-    """A task started or ended: look at `current`."""
+    """A task started or ended: see `current`."""
     moved = Signal()
-    """A task started, went on or ended: look at how far `current` is."""
+    """A task started, progressed or ended: see the progress of `current`."""
     failed = Signal(object)
     """The exception a task ended with."""
     stopped = Signal(str)
@@ -142,7 +142,7 @@ class TaskRunner(QObject):
         return task
 
     def cancel(self) -> None:
-        """Ask the running task, and those that wait, to stop."""
+        """Cancel the running and waiting tasks."""
         for task in self._all():
             task.cancel.set()
         self._waiting = []
@@ -202,7 +202,7 @@ class TaskRunner(QObject):
                 if not task.quiet:
                     self.stopped.emit(task.title)
             elif task.error is not None:
-                self.changed.emit()  # nothing runs any more while the error is shown
+                self.changed.emit()  # no task runs while the error is shown
                 self.failed.emit(task.error)
             else:
                 if task.cancel.is_set():

@@ -1,4 +1,4 @@
-"""Colours, fonts and the look of the window, light or dark.
+"""Colours, fonts and the theme of the window, light or dark.
 
 ``theme.TEXT``, ``theme.MUTED`` and so on are the colours of the scheme in use (`Scheme.text`,
 `Scheme.muted`): they are looked up whenever they are read, so a module reads them where it paints
@@ -87,13 +87,13 @@ LIGHTS = {
     "good": ("check-circle", "done"), "doubtful": ("alert-circle", "doubtful"),
     "poor": ("close-circle", "error"),
 }  # fmt: skip
-"""Traffic lights differ in shape as well: colours alone do not tell everybody."""
+"""Symbols of quality; they differ in shape too, for colour-blind users."""
 PICTURES_PX = (16, 20, 24, 28, 32, 48, 64)
 """So that there is one for each scaling of the screen."""
 
 
 def light(which: str) -> QIcon:
-    """The traffic light of a quality: good, doubtful or poor."""
+    """Colour and symbol of a quality: good, doubtful or poor."""
     name, said = LIGHTS[which]
     return _painted(name, getattr(_used, said))
 
@@ -124,7 +124,7 @@ def tabular(font: QFont, *, bold: bool = False) -> QFont:
 
 
 def system_is_dark(application: QApplication) -> bool:
-    """Whether the system is; one that has no looks is light."""
+    """Whether the theme of the system is dark; light if it has none."""
     return application.styleHints().colorScheme() == Qt.ColorScheme.Dark
 
 

@@ -1,4 +1,4 @@
-"""Trajectories in any text: the user, or a row of names, says what each column is.
+"""Trajectories in any text: the user or a header row specifies the columns.
 
 The column names, from the left, are the mapping; the project file keeps them as they are, so that
 the next file of the same kind is read without asking.
@@ -178,7 +178,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
 def look_ascii(path: Path, choice: Choice) -> Finding:
     """Detected columns and units, first rows and warnings."""
     path = Path(path)
-    # Reading the first line tells a missing, empty or binary file.
+    # Reading the first line detects a missing, empty or binary file.
     next(lines_of(path, "text"), None)
     detected, doubts = _detected(path, choice)
     found = DEFAULTS | detected | dict(choice)
@@ -421,7 +421,7 @@ def _hemispheres(path: Path, tokens: list[str], data: list[list[str]]) -> list[s
     Raises
     ------
     InputError
-        Where the letter O alone does not tell east from west.
+        Where the letter O alone does not distinguish east from west.
     """
     found = list(tokens)
     for index, token in enumerate(tokens):
@@ -442,14 +442,14 @@ _LETTERS = (
 )
 """What columns of hemispheres hold."""
 SEARCHED = 200_000
-"""Rows in which the first position is sought."""
+"""Rows that are searched for the first position."""
 SAMPLE = 60
 
 
 def _with_positions(
     path: Path, tokens: Sequence[str], data: list[list[str]], choice: Choice
 ) -> list[list[str]]:
-    """Rows with a position: those before a first fix, with zeros, tell no unit."""
+    """Rows with a position, without those before the first fix (zeros)."""
     places = [k for k, token in enumerate(tokens) if role_of(token) in POSITION]
     if len(places) < len(POSITION):
         return data
@@ -530,7 +530,7 @@ def _is_padded(written: Mapping[str, Sequence[str]]) -> bool:
 
 
 def _is_in_radians(option: str, largest: float, found: dict[str, str], choice: Choice) -> bool:
-    """Settle degrees where values exceed a full circle in radians, else radians."""
+    """Determine the unit: degrees if values exceed a full circle in radians, else radians."""
     if option in found or option in choice:
         return False
     found[option] = "degrees" if largest > 2 * np.pi else "radians"
@@ -574,7 +574,7 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
 
 _MAGNETIC = re.compile(r"(?<![a-z])mag", re.IGNORECASE)
 _KINDS_OF = {"feet": ("international-feet", "us-survey-feet")}
-"""Units that say more precisely what a title states."""
+"""Units that specify a title more precisely."""
 
 
 def _stated_words(titles: Sequence[str], option: str) -> tuple[str, ...]:

@@ -47,7 +47,7 @@ LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
 
 @sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """No magic, but every record closes: the point is as far from the POS as the LiDAR says."""
+    """No signature, but in every record the distance from the POS agrees with the LiDAR."""
     if path.stat().st_size % RECORD:
         return NOT
     records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, COLUMNS)

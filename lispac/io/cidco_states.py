@@ -41,7 +41,7 @@ SAME = 1e-6
 
 
 def sniff_states(path: Path) -> float:
-    """Not likelier than the points that the same file holds."""
+    """Not more likely than points, which the same file contains."""
     return POSSIBLE if sniff_points(path) > NOT else NOT
 
 

@@ -1,4 +1,4 @@
-"""The record in a LAS or LAZ file that says how the program made the cloud.
+"""Record in a LAS or LAZ file with the parameters of the georeferencing.
 
 It holds the mounting with which the points were georeferenced and the origin of the local frame, so
 that the cloud can be read back as a line: the scanner's own coordinates are recovered with that

@@ -58,7 +58,7 @@ def sniff(head: bytes, path: Path) -> float:
 
 
 def look(path: Path, choice: Choice) -> Finding:
-    """Read what the file says of its scans, and the first points.
+    """Read the metadata of the scans, and the first points.
 
     Raises
     ------

@@ -44,7 +44,7 @@ class Scan:
         Points, valid or not.
     fields : mapping of str to numpy.dtype
     start : float, seconds since the GPS epoch
-        Start of the acquisition; 0 where it is not stated.
+        Start of the acquisition; 0 where it is not given.
     rotation : ndarray of shape (3, 3)
         From the frame of the scan to that of the file.
     translation : ndarray of shape (3,), metres, frame of the file
@@ -199,7 +199,7 @@ def stored_points(
     Raises
     ------
     InputError
-        Where the scan holds fewer points than it promises.
+        Where the scan has fewer points than its header states.
     """
     done = 0
     for some in _columns(image, scan, tuple(scan.fields), rows):

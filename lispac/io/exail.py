@@ -1,7 +1,7 @@
 """Text exports of Exail (iXblue) post-processing: APPS and Delph INS.
 
 These exports are made from templates, so their columns differ; what each column is stands in the
-header. Comment lines tell the name, what it is and its unit, and the last of them all names:
+header. Comment lines give the name, its meaning and its unit, and the last one all names:
 
     # latitude: Latitude, decimal degree
     # heading: Heading, degree
@@ -90,7 +90,7 @@ def exail_layout(path: Path) -> TextLayout:
     comments = [line for line in lines if line.startswith("#")]
     names = _names(comments)
     if not names:
-        # Reading the first line tells a missing, empty or binary file from one without names.
+        # Reading the first line detects a missing, empty or binary file.
         next(lines_of(path, "Exail text"), None)
         raise InputError(error("trajectory.exail_header", file=str(path)))
     described = {
@@ -133,7 +133,7 @@ def exail_layout(path: Path) -> TextLayout:
 
 
 def default_unit(role: str) -> str:
-    """Unit taken for a column whose header names none; it is said where it is used."""
+    """Assumed unit of a column whose header names none; an assumption is reported."""
     if role in ("time", "date"):
         return {"time": "s", "date": "date"}[role]
     if role in (*GRID, *HEIGHTS):

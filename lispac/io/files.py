@@ -129,7 +129,7 @@ def plain_name(path: Path, ending: str = "") -> Iterator[Path]:
 def read_records(
     path: Path, columns: int, what: str, *, byte_order: str = "<"
 ) -> NDArray[np.float64]:
-    """Read a file of float64 records, little-endian (``<``) unless told otherwise (``>``).
+    """Read a file of float64 records, little-endian (``<``) by default, or big-endian (``>``).
 
     Returns
     -------
@@ -179,7 +179,7 @@ def require_increasing(
     ----------
     time : ndarray of shape (n,), seconds
     what : str
-        What a time belongs to: ``SBET record`` is said with its number.
+        What a time belongs to: ``SBET record`` is shown with its number.
     numbers : ndarray of shape (n,), optional
         Row in the file of each time, where that is not its place among the times.
 

@@ -52,7 +52,7 @@ def format_of(key: str) -> Format:
 
 
 def suggests_time(format: Format) -> bool:
-    """Whether files of a format do not say what their times count, so that the values suggest it.
+    """Whether files of a format do not specify their time base, so that the values suggest it.
 
     Exail's exports have dates, or are UTC; LAS and other files of points say it where they can.
     """
@@ -60,7 +60,7 @@ def suggests_time(format: Format) -> bool:
 
 
 def is_las(path: Path) -> bool:
-    """Whether a line whose format is not stated is LAS or LAZ, and not text.
+    """Whether a line whose format is not given is LAS or LAZ, and not text.
 
     By its content; by its ending where the file is missing or no format knows it.
     """

@@ -288,7 +288,7 @@ def opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
 
 
 def _chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePointRecord]:
-    """Points some at a time; a file that is cut meanwhile is said to be."""
+    """Points in chunks; a file that is truncated meanwhile is refused."""
     chunks = reader.chunk_iterator(_rows_at_once(reader.header))
     while True:
         try:

@@ -1,6 +1,6 @@
 """The coordinate system a LAS header states: WKT, or GeoTIFF keys.
 
-A bit of the global encoding says which of the two applies where a header has both (LAS 1.4 R15,
+A bit of the global encoding selects which of the two applies where a header has both (LAS 1.4 R15,
 2.4). laspy reads both, but of the keys only codes of horizontal systems: not heights, units, earth-
 centred coordinates, nor systems that writers (PDAL among them) name without a code.
 """
@@ -32,14 +32,14 @@ UTM = (16000, 16100)
 
 @dataclass(frozen=True)
 class StatedSystem:
-    """What a header says of its coordinate system.
+    """Coordinate system in a header.
 
     Attributes
     ----------
     text : str
-        For `lispac.survey.crs.coordinate_system`; empty where the header says nothing usable.
+        For `lispac.survey.crs.coordinate_system`; empty if the header has nothing usable.
     name, height_unit : str
-        Empty where it says nothing usable.
+        Empty if it has nothing usable.
     doubts : tuple of Message
         About a system that cannot be used, or is used with an assumption.
     messages : tuple of Message

@@ -78,7 +78,7 @@ def state_system(header: laspy.LasHeader, crs: CRS | None) -> None:
 
 def _wkt(crs: CRS) -> str:
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # PROJ's remarks on what version 1 leaves out
+        warnings.simplefilter("ignore")  # PROJ's warnings on what version 1 omits
         try:
             wkt = crs.to_wkt("WKT1_GDAL")
             same = CRS.from_wkt(wkt)

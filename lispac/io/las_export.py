@@ -1,6 +1,6 @@
 """Clouds written as LAS or LAZ, chunk by chunk, with everything their source had.
 
-A `Pattern` says what the records look like: those of the source where it is LAS, otherwise point
+A `Pattern` describes the records: those of the source where it is LAS, otherwise point
 format 6 or 7 with the source's other columns as extra bytes.
 """
 
@@ -57,7 +57,7 @@ LONGEST_NAME = 31
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """What the records of a written cloud look like.
+    """Layout of the records of a written cloud.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class Pattern:
 
 
 def write_header_alone(path: Path, to: Path) -> None:
-    """Write what a LAS or LAZ file says besides its points as a LAS file without any.
+    """Write the header and records of a LAS or LAZ file as a LAS file without points.
 
     Raises
     ------
@@ -142,7 +142,7 @@ def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
 
 
 def _is_of_the_file(record: Any) -> bool:
-    """Whether a record tells of how its own file is laid out: LAZ, COPC, or the waveforms in it."""
+    """Whether a record describes the layout of its own file: LAZ, COPC, or waveforms."""
     waveforms = (record.user_id, record.record_id) == ("LASF_Spec", 65535)
     return waveforms or record.user_id in ("laszip encoded", "copc")
 
@@ -158,7 +158,7 @@ def pattern_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Pat
     chunk : PointChunk
         Of which names and types count.
     standard_time : bool
-        Whether times are adjusted standard GPS time; otherwise they are said to be of the week.
+        Whether times are adjusted standard GPS time; otherwise GPS time of the week.
     """
     columns: dict[str, tuple[str, int | None]] = {}
     extra: list[laspy.ExtraBytesParams] = []
@@ -316,7 +316,7 @@ class Cloud:
         Raises
         ------
         InputError
-            Where LAZ would not keep what they say of their waveforms.
+            If LAZ cannot store their waveform data.
         """
         if self._one_channel:
             self._channels |= set(np.unique(np.asarray(record["scanner_channel"])).tolist())
@@ -367,7 +367,7 @@ def cloud_file(
     Raises
     ------
     InputError
-        Where the disk is full, or LAZ would not keep what points say of their waveforms.
+        If the disk is full, or LAZ cannot store the waveform data of the points.
     """
     shown = shown or path
     header = deepcopy(pattern.header)

@@ -156,7 +156,7 @@ def laz_chunks(
         laz.item_size() == point_size
         and held <= size - points_start
         and most * point_size <= LARGEST_CHUNK
-        # Points of random bits take little more room than as they are; lazrs ends in a panic where
+        # Points of random bits take little more space than unpacked; lazrs ends in a panic where
         # a chunk has far more bytes than its points can take.
         and all(length <= 2 * count * point_size + SMALL_CHUNK for count, length in found)
     )

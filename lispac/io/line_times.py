@@ -27,31 +27,31 @@ READ_WHOLE = 3_000_000
 """Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
 BLOCKS, BLOCK = 40, 500
 PLACE_STEP = 10
-"""Of so many points looked at for their time, one is looked at for its place."""
+"""Of so many examined points for their time, one is examined for its place."""
 LONGEST = 15.0
 """Seconds after which reading stops; what was not read is checked at the import."""
 
 
 @dataclass(frozen=True, eq=False)
 class LineTimes:
-    """When a line's points were measured, as the file says it.
+    """Times of a line's points, as in the file.
 
     Attributes
     ----------
     sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
-        Counted on where they start again.
+        Continued across a time rollover.
     start, end : float, seconds
-        Of the points looked at.
+        Of the examined points.
     count : int or None
-        Points of the file, where it was read whole or says so.
+        Number of points of the file, if read completely or given in its header.
     whole : bool
-        Whether every point was looked at, so that start and end are certain.
+        Whether every point was examined, so that start and end are certain.
     reached_end : bool
-        Whether the end of the file was looked at.
+        Whether the end of the file was examined.
     place : ndarray of shape (3,), frame and unit of the file
         Coordinates of one point, as the file has them.
     restart : str
-        Where the times start again, as stated or found (`lispac.survey.time_restart`); empty where
+        Where the times start again, as given or found (`lispac.survey.time_restart`); empty where
         they do not.
     """
 
@@ -68,7 +68,7 @@ class LineTimes:
 def line_times(
     path: Path, format: Format, choice: Choice, *, progress: Progress = no_progress
 ) -> LineTimes:
-    """Look through a line's times.
+    """Examine the times of a line.
 
     Raises
     ------

@@ -72,7 +72,7 @@ def read_mesh(
     """Read a mesh in local coordinates: north, west, up in metres.
 
     Faces of more corners are split into triangles, those of OBJ from their first corner; triangles
-    without area are left out.
+    without area are excluded.
 
     Raises
     ------

@@ -27,12 +27,12 @@ USUAL_INTERVAL = 1.5
 
 @dataclass(frozen=True, eq=False)
 class TitledPlan:
-    """A plan with what its file says besides.
+    """A plan with the other contents of its file.
 
     Attributes
     ----------
     wall : Wall
-        Against which its places are stated.
+        Against which its places are given.
     """
 
     title: str

@@ -26,7 +26,7 @@ and a vessel needs longer than this to turn."""
 def read_plane_files(
     paths: Sequence[Path], lidar_sigma: float, *, pass_gap: float = PASS_GAP
 ) -> tuple[Observations, NDArray[np.float64]]:
-    """Read plane files into observations; sightings are told apart by gaps in time.
+    """Read plane files into observations; sightings are separated by gaps in time.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What all readers of points share: the options, and the doubts that numbers alone can raise."""
+"""Common parts of all readers of points: options, and warnings that depend on values alone."""
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 CHUNK = 1_000_000
 PREVIEW = 10_000
-"""Points that a look reads."""
+"""Number of points that an examination reads."""
 ROWS = 10
 """Points that a preview shows."""
 HEAD = 65_536
@@ -123,12 +123,12 @@ NO_SYSTEM = "points.no_system"
 
 
 def system_of(choice: Choice, path: Path | None = None) -> CoordinateSystem | None:
-    """The coordinate system of settled options; None for points in the scanner frame.
+    """The coordinate system of complete options; None for points in the scanner frame.
 
     Parameters
     ----------
     path : Path, optional
-        Of the file that the options belong to, for what is said of it.
+        Of the file that the options belong to, for messages.
 
     Raises
     ------
@@ -164,7 +164,7 @@ def scale_of(choice: Choice) -> float:
 
 
 def place_facts(choice: Choice) -> dict[str, Fact]:
-    """Frame and unit of settled options."""
+    """Frame and unit of complete options."""
     if choice[FRAME.name] == SCANNER:
         metres = SCANNER_UNITS[choice[UNIT.name]]
         unit = LENGTH_NAMES[metres]
@@ -177,7 +177,7 @@ def place_facts(choice: Choice) -> dict[str, Fact]:
 
 @contextmanager
 def plainly(path: Path, what: str) -> Iterator[None]:
-    """Turn whatever a library says about a damaged file into one sentence.
+    """Convert an exception of a library on a damaged file to a message.
 
     Libraries fail on damaged bytes with errors of any kind, so all are caught; only calls of
     libraries and of decoders belong inside.
@@ -258,7 +258,7 @@ def field_of_time(path: Path, names: Sequence[str], wanted: str) -> str:
 MOST_UNUSABLE = 0.25
 """Share of values that are no usable numbers from which a file is refused."""
 FEW = 10
-"""Points that say nothing about the byte order."""
+"""Number of points too small to determine the byte order."""
 
 
 def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -> None:
@@ -270,7 +270,7 @@ def require_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
     time : ndarray of shape (n,), in the unit of the file
-        As stored: its type tells how coarse it is.
+        As stored: its type gives the resolution.
     first : int
         Points of the file before these.
 
@@ -351,7 +351,7 @@ def coarseness(time: NDArray[Any], seconds: float = 1.0) -> float:
 
 
 def time_base(time: NDArray[np.float64], stated: str) -> Message:
-    """Base of ``time`` (n,), seconds: as stated, or those that fit; the trajectory decides."""
+    """Base of ``time`` (n,), seconds: as given, or those that fit; the trajectory decides."""
     if stated:
         return note("fact.time_base_specified", base=base_message(base_of(stated)))
     fitting = tuple(map(base_message, plausible(time)))

@@ -73,7 +73,7 @@ def pospac_layout(path: Path) -> TextLayout:
     lines = first_lines(path)
     found = _names_line(lines)
     if found is None:
-        # Reading the first line tells a missing, empty or binary file from one without names.
+        # Reading the first line detects a missing, empty or binary file.
         next(lines_of(path, "POSPac text"), None)
         raise InputError(error("trajectory.pospac_header", file=str(path)))
     start, names = found

@@ -207,7 +207,7 @@ def read_unsaved(folder: Path) -> Project | None:
         Where it is damaged.
     """
     path = folder / UNSAVED_NAME
-    # A crash between the save and the removal leaves one that says the same
+    # A crash between the save and the removal leaves a copy with the same contents
     if not path.is_file() or path.read_bytes() == (folder / FILE_NAME).read_bytes():
         return None
     return _read(path)
@@ -233,7 +233,7 @@ def project_folder(path: Path) -> Path:
     Raises
     ------
     ProjectError
-        Where there is no project, or it cannot be looked for.
+        Where there is no project, or it cannot be searched for.
     """  # noqa: DOC501 - `_unreadable` makes a ProjectError
     path = Path(path)
     try:
@@ -581,7 +581,7 @@ def remove_points(folder: Path) -> None:
 
 
 def _is_own(path: Path) -> bool:
-    """Whether a file of points has the content that its name says."""
+    """Whether the content of a file of points agrees with its name."""
     named = re.fullmatch(r"[A-Za-z0-9_-]*-([0-9a-f]{16})\.npz", path.name)
     if named is None or is_link(path) or not path.is_file():
         return False

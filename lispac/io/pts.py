@@ -2,8 +2,8 @@
 
 A row is x, y, z and perhaps intensity and red, green, blue, parted by blanks. Cyclone writes one
 block or several; other programs write one and leave its number out. Intensities (-2048 to 2047,
-0 to 255 or 0 to 1) and colours are passed over. Nothing in the file says coordinate system or unit:
-metres, unless a system is stated.
+0 to 255 or 0 to 1) and colours are ignored. The file names no coordinate system or unit: metres are
+assumed unless a system is given.
 """
 
 import re
@@ -95,7 +95,7 @@ def is_ptx(path: Path) -> bool:
 
 
 def _first_rows(path: Path, count: int) -> list[str]:
-    """First rows that are neither empty nor remarks; empty where there are no more."""
+    """First rows that are neither empty nor comments; empty if there are no more."""
     try:
         texts = (text for _, line in lines_of(path, "PTS") if (text := line.strip()))
         rows = list(islice((text for text in texts if not text.startswith(REMARKS)), count))
@@ -118,7 +118,7 @@ def _is_point(text: str) -> bool:
 
 
 def _uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
-    """All rows as one block, since nothing says how many there are.
+    """All rows as one block, since there is no point count.
 
     Raises
     ------

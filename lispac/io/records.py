@@ -50,7 +50,7 @@ class Records:
     ascii : bool
         Whether they are text, one point a row.
     facts : mapping of str to Fact
-        What else the header says.
+        Other contents of the header.
     messages : tuple of Message
         Warnings about the number of points.
     """
@@ -96,7 +96,7 @@ class Records:
         return np.asarray(usable | np.isnan(xyz).all(axis=1))
 
     def require_whole(self) -> None:
-        """Refuse a header that promises more than the file holds.
+        """Refuse a header with a larger count than the file contains.
 
         Raises
         ------

@@ -1,6 +1,6 @@
 """The formats the program reads, behind one list.
 
-A format says what it is called, how its files end, how sure it is that a file is one of its own,
+A format has a name, file extensions, a test of how likely a file is of this format,
 what the user may have to state, and how to read it. The import dialogue, the command line and the
 tests all work on this list; nothing else knows which formats there are.
 """
@@ -19,9 +19,9 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Kind = Literal["trajectory", "accuracy", "points"]
 Choice = Mapping[str, Any]
-"""Options by name, as the user or a detection has settled them."""
+"""Options by name, given by the user or detected."""
 Fact = str | int | Message
-"""What a look finds in a file: a text of the file itself, a count, or a message."""
+"""Fact found in a file: a text of the file itself, a count, or a message."""
 SAME_TIME_BASE = note("assumed.same_time_base")
 
 SURE, LIKELY, POSSIBLE, NOT = 1.0, 0.7, 0.3, 0.0
@@ -31,7 +31,7 @@ nothing speaks against it; it is not one."""
 
 @dataclass(frozen=True)
 class Option:
-    """Something a file does not say by itself.
+    """Option: information that a file does not contain.
 
     Attributes
     ----------
@@ -40,9 +40,9 @@ class Option:
     meaning : str
         One sentence for the dialogue, marked for translation.
     choices : tuple of str
-        What may be chosen; empty where it is free text (a column mapping, say).
+        Choices; empty for free text (for example a column mapping).
     default : str
-        Used where neither user nor detection says otherwise.
+        Used if neither the user nor the detection gives another value.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Option:
 
 @dataclass(frozen=True)
 class Finding:
-    """What a look into a file found.
+    """What a examination of a file found.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ class PointChunk:
     extra : mapping of str to ndarray of shape (n, ...)
         Whatever else the file has, under its own names and types; ``intensity`` where there is one.
     total : int or None
-        Points in the whole file, where it says so.
+        Number of points in the file, if given in it.
     """
 
     xyz: NDArray[np.float64]

@@ -27,7 +27,7 @@ ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
 
 @dataclass(frozen=True)
 class SbetOptions:
-    """What an SBET does not say, in the words of the registry's options; Applanix's by default."""
+    """Options of the registry for an SBET; the Applanix convention by default."""
 
     heading: str = "minus-wander"
     pitch: str = "bow-up"
@@ -81,7 +81,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     ----------
     options : SbetOptions, optional
         After Applanix where there are none. Times that start again at midnight or at the end of
-        the week are counted on, which the assumptions then say.
+        the week are continued, which the assumptions then state.
 
     Raises
     ------
@@ -178,7 +178,7 @@ def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Arr
 def _with_velocity(
     trajectory: Trajectory, velocity: Array, wander: Array, chosen: SbetOptions
 ) -> Trajectory:
-    """The trajectory with velocities in the axes stated, or those that fit the positions best."""
+    """The trajectory with velocities in the axes given, or those that fit the positions best."""
     keys = [chosen.axes] if chosen.axes != "unknown" else list(AXES)
     some = slice(0, COMPARED)
     place = LocalFrame(

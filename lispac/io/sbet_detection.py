@@ -31,7 +31,7 @@ BLOCK, BLOCKS = 1000, 60
 
 
 MOST_TIMES = 1_000_000
-"""Times looked through for disorder and gaps; of more, every n-th."""
+"""Times examined for disorder and gaps; of more, every n-th."""
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ def _records(path: Path, mark: str, *, last: bool = False) -> Array:
 
 
 def detect_sbet(path: Path) -> Detection:
-    """Look at an SBET and find its options.
+    """Examine an SBET and find its options.
 
     Raises
     ------

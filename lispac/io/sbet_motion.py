@@ -94,7 +94,7 @@ def _heading_of(
     fact: Message,
     file: str,
 ) -> tuple[SbetOptions, Message, list[Message]]:
-    """Settle the heading by a velocity frame without rivals, where there is a wander angle."""
+    """Determine the heading by a velocity frame without rivals, where there is a wander angle."""
     if chosen.axes.startswith("wander"):
         return replace(chosen, heading="minus-wander"), fact, []
     offsets = []
@@ -107,7 +107,7 @@ def _heading_of(
         ]
         offsets.append(abs(float(np.median(np.concatenate(found)))))
     less, whole = offsets
-    # A vessel's drift angle exceeds 15 deg rarely; smaller wander angles cannot be told from it.
+    # A vessel's drift angle rarely exceeds 15 deg; smaller wander angles cannot be separated.
     if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
         used, other = min(less, whole), max(less, whole)
         if less < whole:
@@ -147,7 +147,7 @@ def _stacked(motion: Motion, rows: NDArray[np.int64]) -> Array:
 def _misfit(velocity: Array, truth: Array) -> float:
     """Median of what velocities miss of those from positions, as a part of the speed.
 
-    The vertical counts as far as it is there at all: a vessel's is small, and then says nothing.
+    The vertical is weighted by its size: it is small for a vessel and then has no effect.
     """
     speed = float(np.median(np.hypot(velocity[:, 0], velocity[:, 1])))
     return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
@@ -190,7 +190,7 @@ def signs_of(
 
 
 def _agreement(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
-    """How changes of an angle follow its integrated rate, -1 to 1; None where that tells nothing.
+    """Correlation of an angle with its integrated rate, -1 to 1; None if undetermined.
 
     Changes over half a second, of a tenth of a degree at least: shorter ones are noise and
     vibration.

@@ -1,4 +1,4 @@
-"""A scene from TOML: surfaces, which of them are sought, and the lines sailed past them."""
+"""A scene from TOML: surfaces, those used as targets, and the lines sailed past them."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +28,7 @@ ROLES = ("target", "validation")
 
 @dataclass(frozen=True, eq=False)
 class SceneFile:
-    """What a scene file says.
+    """Contents of a scene file.
 
     Attributes
     ----------

@@ -22,7 +22,7 @@ MOST = 1_000
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
 COLUMNS = (NAME, *COORDINATES, ROLE)
-"""What a column may hold, besides what is not used."""
+"""Possible contents of a column, besides unused ones."""
 SIGMA, PLANE = "sigma", "plane"
 CHECK_NAMES = {
     **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
@@ -53,10 +53,10 @@ class ListedPoint:
     name : str
         Empty where the list has no names.
     role : {"target", "validation"} or None
-        As the list says; None where it does not.
+        As in the list; None if not given.
     coordinates : three of float, in the order and unit of their coordinate system
     sigma : float or None, metres
-        Of a check point, where the list says.
+        Of a check point, if given in the list.
     plane : str
         The plane that a check point lies on with others; empty where it stands alone.
     """
@@ -71,14 +71,14 @@ class ListedPoint:
 
 @dataclass(frozen=True)
 class PointList:
-    """What a file holds.
+    """Contents of a file.
 
     Attributes
     ----------
     columns : tuple of str
-        What its columns were taken for, from the left: of `COLUMNS`, or ``-`` for one not used.
+        Meaning of its columns, from the left: of `COLUMNS`, or ``-`` for one not used.
     stated : bool
-        Whether a row of names, or the caller, said so; otherwise it is their order that did.
+        Whether given by a header row or the caller; otherwise by their order.
     """
 
     path: Path
@@ -170,7 +170,7 @@ def looks_like_a_list(path: Path) -> bool:
 
 
 def _rows(path: Path) -> Iterator[tuple[int, str]]:
-    """Rows that are neither empty nor remarks; names may stand in a remark of the first rows.
+    """Rows that are neither empty nor comments; names may be in a comment of the first rows.
 
     Raises
     ------
@@ -283,7 +283,7 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     Raises
     ------
     InputError
-        Where the order does not tell.
+        If the order is unknown.
     """
     fields = fields_of(text, separator)
     numbers = [is_number(field) for field in fields]

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 FAR = 1000.0
 """Metres beyond which a vessel's scanner hardly sees."""
 MANY, TYPICAL = 100, 0.99
-"""Points from which on the farthest are not looked at, and the share that is."""
+"""Points from which on the farthest are not examined, and the share that is."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def sight(
     file : str
         Name of the file.
     crs : str
-        What the file says of its coordinate system; empty where nothing.
+        Coordinate system named in the file; empty if none.
     low, high : ndarray of shape (3,), frame and unit of the file
         Bounds the header states, where it does.
     """
@@ -79,7 +79,7 @@ def sight(
         for i, axis in enumerate("xyz")
     }
     facts["time from, to"] = note("fact.times", low=time.min(), high=time.max(), count=len(time))
-    if len(xyz) >= MANY:  # single absurd points do not tell the frame
+    if len(xyz) >= MANY:  # single outliers do not determine the frame
         distance = np.linalg.norm(xyz, axis=1)
         usual = xyz[(distance <= np.quantile(distance, TYPICAL)) & (distance > 0)]
         if len(usual) and np.linalg.norm(usual, axis=1).max() < FAR:

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 WHAT = "static scan"
 LOOKED_AT = 20
-"""Rows of a text that tell whether it has times."""
+"""Rows of a text that are checked for times."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ class StaticScan:
 
 
 def static_scan(path: Path) -> StaticScan:
-    """Look at a cloud; its points are read later.
+    """Examine a cloud; its points are read later.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def _kind(path: Path) -> str:
 
 
 def _of_text(path: Path, local: bool) -> Array:
-    """Columns x, y, z as the row of names says, else the first three.
+    """Columns x, y, z from the header row, else the first three.
 
     Raises
     ------

@@ -209,7 +209,7 @@ def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
 
 
 def _settled(found: Choice, choice: Choice) -> dict[str, str]:
-    """What is chosen; for the rest, and where it says auto, what was found."""
+    """Chosen options; detected values for the others and for auto."""
     return TEXT.settled(
         {**found, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
@@ -304,7 +304,7 @@ def _name_the_row(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
     wanted: list[int], layout: Layout, *, clocks: bool,
 ) -> None:  # fmt: skip
-    """Say which row of a block is at fault.
+    """Find the row of a block with an error.
 
     Raises
     ------

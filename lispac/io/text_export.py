@@ -99,7 +99,7 @@ def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], 
 
 
 def write_trajectory_text(path: Path, trajectory: Trajectory, time_base: str = "") -> None:
-    """Write a trajectory as text: degrees and metres, signs after Applanix, as the header says.
+    """Write a trajectory as text: degrees and metres, signs of Applanix, as given in the header.
 
     Position to 0.01 mm, attitude to 1e-9 deg.
 

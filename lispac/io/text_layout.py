@@ -15,7 +15,7 @@ TIME_BASES = {
     **dict.fromkeys(("time_tai", "tai_time", "tai", "ptp_time", "time_ptp"), "tai"),
     **dict.fromkeys(("time_unix", "unix_time", "unix", "posix_time"), "unix"),
 }
-"""Names of times that say what these count, and the keys of their bases; lower case."""
+"""Names of time columns that give the time base, and the keys of the bases; lower case."""
 MEANINGS = {
     **dict.fromkeys(("x", "easting", "east", "e", "lon", "longitude"), "x"),
     **dict.fromkeys(("y", "northing", "north", "n", "lat", "latitude"), "y"),
@@ -80,7 +80,7 @@ class Layout:
 
 
 def rows_of(lines: Sequence[str]) -> list[str]:
-    """Rows that are neither empty nor remarks."""
+    """Rows that are neither empty nor comments."""
     stripped = (line.strip("\r\n ") for line in lines)
     return [line for line in stripped if line and not line.startswith(REMARKS)]
 
@@ -110,7 +110,7 @@ def _candidates(row: str) -> list[tuple[str, bool]]:
 
 
 def _titles(lines: Sequence[str], row: str, separator: str, columns: int) -> list[str]:
-    """Titles from one of the four lines above the numbers, which may be marked as a remark.
+    """Titles from one of the four lines above the numbers, which may be marked as a comment.
 
     The units in a row between names and numbers are put behind the names.
     """
@@ -126,7 +126,7 @@ def _titles(lines: Sequence[str], row: str, separator: str, columns: int) -> lis
 
 
 def names_of(line: str, separator: str, columns: int) -> list[str]:
-    """Names in a line, which may be marked as a remark; empty where it is none of that many."""
+    """Names in a line, which may be a comment; empty where it is none of that many."""
     plain = line.strip("\r\n ").lstrip("#%/ ").replace('"', "")
     fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
     if len(fields) != columns:

@@ -112,7 +112,7 @@ def unit_messages(path: Path, layout: Layout, choice: Choice) -> Iterator[Messag
 
 
 def height_unit_of(units: Mapping[str, str], crs: str) -> str:
-    """Option for the unit of heights; empty where the titles say nothing that the system does not.
+    """Option for the unit of heights; empty if the titles add nothing to the system.
 
     Plain feet are those of a system in feet.
     """

@@ -46,7 +46,7 @@ PARSERS["hemisphere-fr"] = partial(hemisphere, o="W"), 1.0
 PARSERS["hemisphere-de"] = partial(hemisphere, o="E"), 1.0
 """How a unit is read, and the factor to radians, metres or seconds.
 
-Of positions on the map and heights, the coordinate system has a say in the factor. The letter O is
+For map coordinates and heights, the coordinate system affects the factor. The letter O is
 *ouest* in French and *Ost* in German."""
 
 _NAMES = {
@@ -104,7 +104,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Conventions:
-    """What rows of numbers do not say, each with the words of the registry's options."""
+    """Options for rows of numbers, with the values of the registry."""
 
     pitch: str = "bow-up"
     roll: str = "starboard-down"

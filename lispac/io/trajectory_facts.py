@@ -1,4 +1,4 @@
-"""What a trajectory looks like, for the preview, and what its own motion says against it."""
+"""Facts about a trajectory for the preview, and contradictions with its own motion."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -166,7 +166,7 @@ def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:
             )
         )  # fmt: skip
     else:
-        # That UTC could be meant goes for any time of day or week; the base taken is stated.
+        # That UTC could be meant goes for any time of day or week; the base taken is given.
         known = base_of(stated)
         others = [
             base_message(base)

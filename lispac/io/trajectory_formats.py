@@ -118,7 +118,7 @@ def _sniff_sbet(path: Path) -> float:
     byte_order, fit = byte_order_of(path)
     end = end_fits(path, byte_order)
     if fit == 1:
-        # What was cut, or filled up with something else, is an SBET whose reader says so.
+        # A truncated or padded file is still an SBET; its reader reports the error.
         whole = size % RECORD == 0 and byte_order == "little-endian" and end == 1
         return SURE if whole else LIKELY
     return POSSIBLE if min(fit, end) > 0 else NOT
@@ -149,7 +149,7 @@ def _smrmsg_head(path: Path) -> NDArray[np.float64]:
 def _sniff_smrmsg(path: Path) -> float:
     head = _smrmsg_head(path)
     if not sound_smrmsg(head):
-        # In the other byte order it is one still, and its reader says what is wrong.
+        # In the other byte order it is still an SBET; its reader reports the error.
         return LIKELY if sound_smrmsg(head.byteswap()) else NOT
     return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
 
@@ -194,7 +194,7 @@ def _format(
     look: Callable[[Path, Choice], Finding],
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
 ) -> Format:
-    """A format that refuses options it does not have before it looks or reads."""
+    """A format that refuses unknown options before it examines or reads."""
 
     def look_checked(path: Path, choice: Choice) -> Finding:
         made.settled(choice)

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 LENGTHS = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
-"""Metres in each unit; ``ft`` are feet of which the file does not say which."""
+"""Metres in each unit; ``ft`` are feet of unspecified kind."""
 UNSTATED = ""
-"""Unit of a length of which the file says none."""
+"""Unit of a length without a unit in the file."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Length:
     ----------
     metres : float
     name : Message
-        With how it was settled.
+        With the source of the choice.
     doubt : Message or None
         What the user should check.
     """
@@ -174,7 +174,7 @@ def grid_of(path: Path, text: str) -> Grid:
 
 
 def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> Length:
-    """Unit of a column of heights called ``name``; metres where nobody says otherwise."""
+    """Unit of a column of heights called ``name``; metres by default."""
     own = None if grid is None else grid.height_metres
     if stated == UNSTATED:
         if grid is not None and own is not None and grid.height_name is not None:

@@ -42,7 +42,7 @@ HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
 
 @dataclass(frozen=True)
 class TextLayout:
-    """What a text file's beginning, or the user, says about its columns.
+    """Columns of a text file, from its beginning or from the user.
 
     Attributes
     ----------

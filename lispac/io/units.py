@@ -59,7 +59,7 @@ UNITS = {
     "clock": Unit("notation", 1.0, note("unit.clock")),
     "date": Unit("notation", 1.0, note("unit.date")),
 }
-"""Units by their code; ``ft`` are feet of which the file does not say which."""
+"""Units by their code; ``ft`` are feet of unspecified kind."""
 LENGTH_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "length"}
 """Names of the units of length by the metres in them."""
 TIME_UNIT_NAMES = {unit.si: unit.name for unit in UNITS.values() if unit.kind == "time"}
@@ -68,7 +68,7 @@ ANGLE_CODES = tuple(
     code for code, unit in UNITS.items() if unit.kind == "angle" or code in ("dms", "ddmm")
 )
 UNKNOWN = "?"
-"""Code of a unit that is stated and not known."""
+"""Code of a unit that is given and not known."""
 
 _FORMS = (
     (r"hh\W*mm", "clock"),

@@ -21,7 +21,7 @@ def upgraded(content: Content) -> Content:
 def _from_1(content: Content) -> Content:
     """Version 2 knows more of an adjustment; one of version 1 has to be repeated.
 
-    The stated model is kept: a project that was set to thesis mode stays so.
+    The given model is kept: a project that was set to thesis mode stays so.
     """
     targets = [target | {"shape": "plane", "sphere_radius": None} for target in content["targets"]]
     return content | {
@@ -35,7 +35,7 @@ def _from_1(content: Content) -> Content:
 
 
 def _from_2(content: Content) -> Content:
-    """Version 3 says how each file is read; before there was one way for each."""
+    """Version 3 adds the reading options of each file; before, there was one way for each."""
     usual = {"format": "", "options": [], "time_shift": 0.0}
     return content | {
         "schema_version": 3,
@@ -46,13 +46,13 @@ def _from_2(content: Content) -> Content:
 
 
 def _from_3(content: Content) -> Content:
-    """Version 4 says what of the finder was chosen for a target; before there was no choice."""
+    """Version 4 adds the search settings of a target; before, there was no choice."""
     targets = [target | {"choices": None} for target in content["targets"]]
     return content | {"schema_version": 4, "targets": targets}
 
 
 def _from_4(content: Content) -> Content:
-    """Version 5 says more of a comparison of lines; what an older one lacks stays unknown."""
+    """Version 5 adds figures to a comparison of lines; they stay unknown for older versions."""
 
     def state(distances: Content) -> Content:
         return {"distances": distances, "signed": None, "planes": None}
@@ -73,12 +73,12 @@ def _from_4(content: Content) -> Content:
 
 
 def _from_5(content: Content) -> Content:
-    """Version 6 says who, when and with what; an older one leaves it blank."""
+    """Version 6 adds the details for the report; blank for older versions."""
     return content | {"schema_version": 6, "identity": {}}
 
 
 def _from_6(content: Content) -> Content:
-    """Version 7 says where a check against a reference saw a second surface.
+    """Version 7 adds second surfaces in a check against a reference.
 
     Before, the mean of both was taken, and nobody knows where. Surveyed points have an interval.
     """
@@ -90,12 +90,12 @@ def _from_6(content: Content) -> Content:
 
 
 def _from_7(content: Content) -> Content:
-    """Version 8 keeps what other methods say; an older one had not asked them."""
+    """Version 8 adds the results of alternative methods; none in older versions."""
     return content | {"schema_version": 8, "opinions": []}
 
 
 def _from_8(content: Content) -> Content:
-    """Version 9 keeps reasons and remarks as messages; of an older one the text is known."""
+    """Version 9 stores reasons and remarks as messages; as text from older versions."""
     targets = [
         target | {"missing": {line: _former_text(why) for line, why in target["missing"].items()}}
         for target in content["targets"]

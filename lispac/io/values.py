@@ -140,7 +140,7 @@ def _has_shapes(kind: Any) -> bool:
 
 
 def _checked_reader(converter: Any, kind: Any) -> Any:
-    """Reads a dataclass, and refuses it where its arrays have other shapes than stated."""
+    """Reads a dataclass, and refuses it where its arrays have other shapes than given."""
     from cattrs.gen import make_dict_structure_fn
 
     read = make_dict_structure_fn(kind, converter, _cattrs_forbid_extra_keys=True)

@@ -1,4 +1,4 @@
-"""Texts of messages about what a first look at a file finds and the user should check."""
+"""Texts of messages from the examination of files, to be checked by the user."""
 
 from collections.abc import Mapping
 

@@ -1,9 +1,9 @@
-"""Which of all patches to adjust: few that tell as much of the three angles as all.
+"""Selection of patches to adjust: few, with nearly the information of all on the angles.
 
 One patch after another is taken, always the one that leaves the angles with the smallest
 uncertainty (the determinant of their covariance: D-optimal, Wald 1943), where each line has a POS
-error of its own: a second patch that faces the same way on the same lines then tells little more.
-Caps keep a single wall, or a single moment of a line, from having the say alone.
+error of its own: a second patch that faces the same way on the same lines then adds little.
+Limits prevent a single wall, or a single moment of a line, from dominating.
 """
 
 from collections.abc import Mapping
@@ -24,7 +24,7 @@ COUNT = 30
 """Patches that are chosen where there are so many: ten more lower the sigmas by an eighth at most,
 as what is left is the POS error, and take half as long again."""
 MOST_LINES = 4
-"""Sightings of a patch: those on the lines that tell most; a fifth would say again what four do."""
+"""Sightings of a patch, on the most informative lines; a fifth would be redundant."""
 LOOKED_AT = 2_500
 """Patches that are judged, spread evenly over all there are."""
 UNKNOWN = np.radians(3.0)
@@ -48,7 +48,7 @@ class Choice:
     rows : list of ndarray of shape (sightings,), int
         Of each, among the planes of the patches.
     sigma : ndarray of shape (3,), radians
-        That roll, pitch and yaw are foretold to have.
+        Predicted for roll, pitch and yaw.
     """
 
     rows: list[Indices]
@@ -57,7 +57,7 @@ class Choice:
 
 @dataclass(frozen=True, eq=False)
 class _PatchInformation:
-    """What each sighting of a patch tells.
+    """Information of each sighting of a patch.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ def chosen(
         full = np.append(of_moment >= most_then, False)
         free = open_ & (of_direction[facing] < most_facing) & ~full[moments].any(axis=1)
         # First one of each direction: where the greedy way alone has a single one in mind, nothing
-        # would tell an error of the position from one of the angles.
+        # would separate an error of the position from one of the angles.
         unserved = free & (of_direction[facing] == 0)
         some = np.flatnonzero(unserved if unserved.any() else free)
         if not len(some):
@@ -144,7 +144,7 @@ def _told(
     owner = position[patches.patch[rows]]
     derivative = _derivatives(patches, rows, clouds, accuracy)
     off = np.hypot(FLOOR, ROUGHNESS * planes.rough[rows])
-    # Of many lines those that move most apart tell most: the farthest from the mean come first.
+    # Of many lines, the most displaced are the most informative: farthest from the mean first.
     lines, total = len(clouds), np.bincount(owner, minlength=len(number))
     mean = np.stack([np.bincount(owner, c, len(number)) for c in derivative[:, :3].T], axis=1)
     apart = np.linalg.norm(derivative[:, :3] - (mean / total[:, None])[owner], axis=1) / off

@@ -21,7 +21,7 @@ NARROWEST = 0.1
 WHOLE = 0.85
 """Share of the region's points that must lie on the plane: in a bush, along an edge, fewer do."""
 LAYERS, STRAYS = 1.5, 8.0
-"""Kurtosis of the distances below which there are two layers, and above which strays decide."""
+"""Kurtosis of the distances below which there are two layers, and above which outliers dominate."""
 
 LEVEL = np.cos(np.radians(10.0))
 """Least upward part of the normal of water: a wave of a metre is no steeper."""

@@ -52,7 +52,7 @@ class Patches:
         return len(self.centre)
 
     def points_on(self, row: int, cloud: Cloud) -> tuple[Indices, int]:
-        """Numbers of the points on one of the planes, and of how many one was looked at.
+        """Numbers of the points on one of the planes, and of how many one was examined.
 
         Parameters
         ----------

@@ -1,6 +1,6 @@
 """The plane that each line sees of each region of the scene.
 
-Sums of products tell a plane without a look at its points one by one; a second and a third look
+Sums of products give a plane without reading its points one by one; a second and a third pass
 leave out what lies far from it.
 """
 
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 LOOKED_AT = 300_000
-"""Points of a line that are looked at: enough to tell where planes are."""
+"""Points of a line that are examined: enough to find its planes."""
 FEWEST = 20
 """Points of a line that a region must hold."""
 FAR, TIGHT = 2.5, 2.0
@@ -41,7 +41,7 @@ class LinePlanes:
     begin, end : ndarray of shape (k,), int
         Where its points stand in the numbers that `line_planes` gives.
     count : ndarray of shape (k,), int
-        Points on the plane, of those that are looked at.
+        Points on the plane, of those that are examined.
     share : ndarray of shape (k,)
         Of the points in the region's voxels that are on the plane.
     centre : ndarray of shape (k, 3), metres, local frame
@@ -136,7 +136,7 @@ def line_planes(
     # Sums count from a point of the region: at large coordinates they would lose digits.
     origin = found[np.cumsum(counts) - counts]
     local = found - origin[owner]
-    # With the biweight (Beaton and Tukey 1974) a plane settles on the densest layer of the points.
+    # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
     centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
     far = np.full(len(counts), np.inf)
     for look in range(LOOKS):

@@ -58,7 +58,7 @@ class PatchTest:
 
     @property
     def sigma(self) -> Array | None:
-        """Of roll, pitch and yaw, shape (3,), radians; None where none can be stated."""
+        """Of roll, pitch and yaw, shape (3,), radians; None where none can be given."""
         return None if self.covariance is None else np.sqrt(np.diag(self.covariance))
 
     @property

@@ -1,10 +1,10 @@
 """How far two lines are apart about an object, as a function of the boresight.
 
-Every point of one line is held against the plane through its nearest points on the other, and the
+Every point of one line is compared with the plane through its nearest points on the other, and the
 other way round (point to plane: Chen and Medioni 1992). Distances are squared up to a scale and
 flattened beyond it (Geman and McClure 1987), so that the background of a pole, which the other
-line sees elsewhere, or a passing car does not have the say. Points for which the other line has
-nothing beside them say nothing, unless they are the most.
+line observes elsewhere, or a passing car does not dominate. Points for which the other line has
+no neighbours are not used, unless they are the majority.
 """
 
 from collections.abc import Sequence
@@ -195,7 +195,7 @@ def _slices(surface: Surface, seen: ObjectPoints) -> dict[int, Indices]:
 
 
 def enough_met(both: Sequence[Distances]) -> bool:
-    """Whether two lines see enough of the same to be held against each other."""
+    """Whether two lines have enough in common to be compared."""
     met = sum(each.met_points for each in both)
     return met >= max(FEWEST, SHARE * sum(each.asked for each in both))
 
@@ -255,7 +255,7 @@ def weights_of(blocks: Sequence[Block]) -> Array:
 
 
 class Mismatch:
-    """The mismatch of blocks, asked for one boresight after another.
+    """The mismatch of blocks, evaluated for successive boresights.
 
     Parameters
     ----------
@@ -341,7 +341,7 @@ class Mismatch:
 def lowest(values: Array, mismatch: Array) -> float | None:
     """Where a curve has its minimum, radians; None where it has none, but ripples or falls.
 
-    Far from the minimum lines are farther apart than the mismatch tells, and the curve is level.
+    Far from the minimum lines are farther apart than the mismatch shows, and the curve is level.
 
     Parameters
     ----------

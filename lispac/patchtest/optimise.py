@@ -10,7 +10,7 @@ side do, and what they differ by is the yaw's own only once the two others are r
 of later angles in the earlier ones goes with further rounds.
 
 Each stage squares distances up to a smaller scale than the one before: at first lines may be half
-a metre apart, in the end a stray point is not to draw them.
+a metre apart; in the end an outlier must not affect them.
 """
 
 from collections.abc import Sequence
@@ -144,7 +144,7 @@ def _step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> Array:
 
 
 def require_told(normal_equations: Array, weight: float, turned: Sequence[int]) -> None:
-    """Refuse to turn an angle that no object tells.
+    """Refuse to estimate an angle that no object determines.
 
     Parameters
     ----------

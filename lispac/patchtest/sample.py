@@ -22,20 +22,20 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 MOST_POINTS = 400
-"""Points of a line about an object, about: more tell little more, as they share one POS error."""
+"""Approximate points of a line on an object: more add little, since they share one POS error."""
 FINEST = 0.03
 """Least spacing of these points, metres."""
 FEWEST = 30
 """Points below which a line does not see an object."""
 MARGIN = 0.3
-"""Metres beside a box that are looked at, too."""
+"""Metres beside a box that are examined, too."""
 EVEN = 2.2
 """Farthest that the sixth neighbour is, of the spacing, in the median: a profiler's points lie
 close along its lines and far from one to the next, and no plane follows from a row of them."""
 SLENDER, THICK = 0.15, 0.4
 """Most that a pole's points deviate across it: a share of what they do along it, and metres."""
 READ = 30
-"""Points of a line near an object that are looked at, for each of which one may be taken."""
+"""Points of a line near an object that are examined, for each of which one may be taken."""
 STEP = 1e-4
 """Radians by which angles are turned to see how points move."""
 

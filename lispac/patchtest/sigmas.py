@@ -5,7 +5,7 @@ other share most of it, so neither points nor pairs may be drawn again as if the
 on forty simulated surveys that gave sigmas three to nine times too small, and lines drawn again
 gave sigmas two to three times too small, for there are but six. So whole objects are drawn again,
 each with all its lines (bootstrap: Efron 1979), and for each drawing every line gets another POS
-error at every object, with the sigmas that the POS states and shared as its correlation times say
+error at every object, with the sigmas of the POS and correlated by its correlation times
 (Gelb 1974).
 """
 
@@ -26,7 +26,7 @@ from lispac.survey.trajectory import TrajectoryAccuracy
 Array = NDArray[np.float64]
 
 FEWEST = 5
-"""Objects below which no sigma is stated: what so few would be drawn as says nothing."""
+"""Objects below which no sigma is given: resampling so few is not meaningful."""
 DRAWN = 1_000
 """Times that objects and POS errors are drawn."""
 SEED = 1
@@ -40,7 +40,7 @@ ROUGH = 0.01
 
 @dataclass(frozen=True, eq=False)
 class ObjectFound:
-    """What one object says.
+    """Result of one object.
 
     Attributes
     ----------
@@ -50,8 +50,8 @@ class ObjectFound:
     mismatch : float, metres
         Robust RMS distance between its lines at the minimum of all objects.
     angle : int or None
-        The one in which it differs most, of those it tells: 0 roll, 1 pitch, 2 yaw; None where it
-        tells none, and is not judged.
+        Angle with the largest difference: 0 roll, 1 pitch, 2 yaw; None if the object determines
+        none and is not tested.
     off : float, radians
         Where its own minimum of that angle is, less that of all objects.
     allowed : float, radians

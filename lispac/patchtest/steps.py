@@ -1,4 +1,4 @@
-"""What blocks say of the angles: the normal equations of their distances, and what moves them."""
+"""Normal equations of the angles from the distances of blocks."""
 
 from dataclasses import dataclass
 
@@ -22,7 +22,7 @@ class Equations:
         How the gradient changes with the POS errors of the first and the second line: position
         (metres, local frame), roll, pitch and heading (radians).
     meets : ndarray of shape (b,), bool
-        Whether enough of the block's points meet the other line; the others say nothing.
+        Whether enough of the block's points meet the other line; other blocks are not used.
     """
 
     normal: Array

@@ -1,1 +1,1 @@
-"""The report: its numbers (`content`), its words (`document`) and its looks (`html`, `pdf`)."""
+"""The report: numbers (`content`), texts (`document`) and layout (`html`, `pdf`)."""

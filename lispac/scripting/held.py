@@ -1,4 +1,4 @@
-"""What a project that is open holds: the project, its survey, its answer."""
+"""Contents of an open project: the project, its survey and its result."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ class LoadedProject:
     Parameters
     ----------
     progress : callable
-        Told how far each step is.
+        Receives the progress of each step.
     """
 
     def __init__(
@@ -32,7 +32,7 @@ class LoadedProject:
 
     @property
     def survey(self) -> Survey:
-        """The trajectory and the lines, read when first asked for and after what moves points."""
+        """The trajectory and the lines, read on first use and after what moves points."""
         if self._survey is None or self._key != data_key(self.project):
             self._survey = load_survey(self.project, progress=self._progress)
             self._key = data_key(self.project)
@@ -40,7 +40,7 @@ class LoadedProject:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was assumed or left out while reading, in words."""
+        """Notes on assumptions and excluded data while reading."""
         return tuple(map(message_text, self.survey.notes))
 
     @property

@@ -70,7 +70,7 @@ class OpenProject(LoadedProject):
             self.project = self.project.with_settings(changed)
 
     def identity(self, **texts: str) -> None:
-        """Say who, when and with what, for the report: fields of `lispac.Identity`."""
+        """Set the details for the report: fields of `lispac.Identity`."""
         self.project = self.project.with_identity(self.project.identity.changed(**texts))
 
     # -- targets -----------------------------------------------------------------------------
@@ -110,7 +110,7 @@ class OpenProject(LoadedProject):
         sphere_radius : float, metres, optional
             Of a sphere, where it is known.
         line : str, optional
-            Seek in this line only.
+            Search on this line only.
         clicked_on : str, optional
             The line that ``at`` was taken from, where it is known.
         threshold, radius : metres, optional
@@ -267,7 +267,7 @@ class OpenProject(LoadedProject):
         Parameters
         ----------
         sigma : metres, of the reference
-        reach : metres from the reference within which lines are looked for
+        reach : metres from the reference within which lines are searched for
         """
         self.project, _ = absolute.check_absolute(
             self.project, self.survey, Path(reference), crs=crs, height=height,
@@ -340,7 +340,7 @@ class OpenProject(LoadedProject):
             raise ProjectError(
                 error("script.unknown_export_format", what=what, form=form, forms=ENDINGS[what])
             )
-        # Lines go where they came from, everything else to the local frame, if nobody says more.
+        # By default, lines keep their system, and everything else is in the local frame.
         system = crs if what == "lines" else crs or LOCAL
         request = ExportRequest(
             what, Path(output), boresight, form or ENDINGS[what][0], system, height,
@@ -352,7 +352,7 @@ class OpenProject(LoadedProject):
     def script(self) -> str:
         """The steps that make this project from its raw files, as Python.
 
-        Takes as long as picking its targets and estimating: what it says is tried.
+        Takes as long as picking its targets and estimating, because the script is tested.
         """
         return script_of(self.project, self.survey, progress=self._progress).text
 

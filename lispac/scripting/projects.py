@@ -44,14 +44,14 @@ def new(
     accuracy : path, optional
         smrmsg, or a text that holds the accuracies of the trajectory.
     line_reading, trajectory_reading, accuracy_reading : Reading
-        What the files do not say; ``lispac look FILE`` lists it.
+        Options of the formats; ``lispac look FILE`` lists them.
     settled : bool
         Whether the readings are complete, as a script of a project has them: nothing is looked for
         in the files then.
     truth_deg : degrees, optional
         Boresight put into a simulated survey.
     progress : callable
-        Told how far each step is: a fraction and words.
+        Receives the progress of each step: a fraction and a text.
     **settings
         Fields of `lispac.Settings`: ``boresight_deg=(0, 0, 180)``, ``lidar_sigma=0.005`` ...
 

@@ -63,7 +63,7 @@ class Board:
     def grid(self, k: int) -> Array:
         """``k`` x ``k`` points, with the centre and the second moments of the whole board.
 
-        They say of the plane what all points of the board say.
+        They determine the plane as all points of the board do.
 
         Returns
         -------
@@ -110,7 +110,7 @@ class Ball:
     centre : tuple of float, metres, local
     radius : float, metres
     radius_known : bool
-        Whether the adjustment is told the radius.
+        Whether the radius is given to the adjustment.
     flatness : float or None, metres
         As of a board.
     """
@@ -272,7 +272,7 @@ def exact_survey(
     pos : PosErrorModel
         Its standard deviations are those the observations state.
     lidar_sigma : float, metres
-        Stated of each axis.
+        Given of each axis.
     """
     sea = Sea.draw(generator)
     rows, sightings = [], []

@@ -1,6 +1,6 @@
 """More ways in which a POS errs: white noise, drift while GNSS is out, jumps; and all together.
 
-A model draws errors and says the variance that the POS itself would state for them. Times count
+A model draws errors and gives the variance that the POS itself would report for them. Times count
 from the first sample of the trajectory.
 """
 

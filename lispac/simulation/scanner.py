@@ -21,7 +21,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 Axis = Literal["x", "z"]
 
-# Echoes of one pulse closer than this melt into one wrong range; farther ones are told apart.
+# Echoes of one pulse closer than this melt into one wrong range; farther ones are distinguished.
 PULSE_LENGTH = 1.0  # metres
 # Two surfaces meeting at an edge within this are no mixed echo.
 SMALLEST_MIX = 0.01  # metres

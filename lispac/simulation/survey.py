@@ -101,7 +101,7 @@ class Setup:
         Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
     scene : Scene
     targets, validation : tuple of str
-        Names of the rectangles and balls of the scene that are sought.
+        Names of the rectangles and balls of the scene used as targets.
     voyage : Voyage
     pos : PosErrors
     scanner : Scanner
@@ -271,14 +271,14 @@ def _at(time: Array, even: Array, values: Array) -> Array:
     """Rows of evenly spaced values nearest to any times, shape (n, k)."""
     if len(time) == len(even):
         return values
-    # The nearest and not between two: a mean of white noise would be smaller than stated.
+    # The nearest and not between two: a mean of white noise would be smaller than given.
     return values[np.rint(time / (even[1] - even[0])).astype(np.intp)]
 
 
 def _report(
     setup: Setup, motion: Motion, generator: np.random.Generator | None
 ) -> SimulatedTrajectory:
-    """Turn true states into what the POS says: geodetic, against the level at the vessel."""
+    """Convert true states to POS output: geodetic, relative to the level at the vessel."""
     time, interval = motion.time, motion.interval
     # A recorded trajectory may have gaps: its errors are those of a whole one at its times.
     even = np.arange(round((time[-1] - time[0]) / interval) + 1) * interval

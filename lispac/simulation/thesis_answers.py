@@ -15,7 +15,7 @@ from lispac.simulation.visibility_study import BestConfiguration, Visibility, fe
 
 @dataclass(frozen=True)
 class ThesisValue:
-    """What the thesis says of one error.
+    """Result of the thesis for one error.
 
     Attributes
     ----------

@@ -61,7 +61,7 @@ class Site:
     Attributes
     ----------
     distance, rise : float, metres
-        Of the board's lower edge from the scanner: aside when abeam, and upwards.
+        Of the board's lower edge from the scanner: horizontal distance when abeam, and upwards.
     inclinations : tuple of float, radians
     errors : tuple of str
         Those studied, of `SIZES`.

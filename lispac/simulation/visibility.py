@@ -1,7 +1,7 @@
 """How visible a systematic error is on a board: the criteria of the thesis (section 3.4.4).
 
-Type I, planarity and centroidal distance, says whether the points still are a board near where it
-stands: a raw selection. Type II, angular deviation and signed orthogonal distance, says how far
+Type I, planarity and centroidal distance, shows whether the points still form a board near its
+place: a first selection. Type II, angular deviation and signed orthogonal distance, shows how far
 their plane is turned and shifted: what can be seen of the error.
 
 Where the thesis leaves something open or is misprinted:

@@ -145,7 +145,7 @@ class BestConfiguration:
     Attributes
     ----------
     kept : tuple of float, radians
-        Inclinations of which Type I says that the board can be used.
+        Inclinations that Type I accepts.
     inclination : float, radians
         None where no lines differ at any of them: the error is not seen.
     groups : tuple of tuple of int, degrees

@@ -103,7 +103,7 @@ class Stretch:
 
 @dataclass(frozen=True, eq=False)
 class RecordedTrajectory:
-    """A recorded trajectory taken for the truth.
+    """A recorded trajectory used as the truth.
 
     Attributes
     ----------

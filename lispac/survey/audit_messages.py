@@ -17,7 +17,7 @@ from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
 
 MANY_TOO_FAR = 0.001
-"""Share of points beyond the reach of the scanner from which the file is doubtful: its unit, or the
+"""Share of points beyond the reach of the scanner from which the file is suspect: its unit, or the
 scanner that was given."""
 COARSE_STEP = 0.9e-3
 """Seconds: steps of the point times from here on are reported."""
@@ -32,7 +32,7 @@ SIMULTANEOUS = 0.05
 WHOLE_SECONDS = 2.0
 """Seconds by which spans to whole seconds may overlap where the lines do not."""
 NEAR_RESTART = 1.5
-"""Seconds from a restart of the times within which a line runs through it."""
+"""Seconds from a time rollover within which a line crosses it."""
 LONG_PAUSE = 60.0
 """Seconds without points that separate two passes in any case."""
 TURN = np.radians(30.0)
@@ -60,7 +60,7 @@ def line_messages(
         Of the line or file.
     audit : LineAudit
     trajectory : LocalTrajectory, optional
-        Without it, effects of the motion are not stated.
+        Without it, effects of the motion are not given.
     times : ndarray of shape (n,), seconds, in the trajectory's time base, optional
         Some times of the line, ascending, that have a pose.
     """
@@ -288,7 +288,7 @@ def _went_on(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
 
 
 def _without_restart(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
-    """Spans of times that start again at midnight or at the end of the week, counted on.
+    """Spans of times continued across a rollover at midnight or at the end of the week.
 
     Parameters
     ----------
@@ -303,7 +303,7 @@ def _without_restart(spans: Sequence[Sequence[float]]) -> list[tuple[float, floa
             pauses = [after - before for (_, before), (after, _) in pairwise(own)]
             k = 1 + int(np.argmax(pauses))
             counted_on = [(start + period, end + period) for start, end in own[:k]]
-            through = (own[-1][0], counted_on[0][1])  # one span on both sides of the restart
+            through = (own[-1][0], counted_on[0][1])  # one span on both sides of the rollover
             return [*own[k:-1], through, *counted_on[1:]]
     return own
 

@@ -11,7 +11,7 @@ Array = NDArray[np.float64]
 Columns = tuple[Array, Array, Array]
 
 BLOCK = 1 << 17
-"""Points per call, of PROJ say, which lets go of Python's lock."""
+"""Points per call, for example of PROJ, which releases Python's lock."""
 
 
 def in_blocks(run: Callable[[Array, Array, Array], Columns], *axes: Array) -> Columns:

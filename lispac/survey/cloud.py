@@ -1,6 +1,6 @@
-"""Lines placed in the local frame, of which only what is looked at is read.
+"""Lines placed in the local frame, of which only what is examined is read.
 
-Points are told by their number: the place in their line, in the order of its file. That is what
+Points are identified by number: the place in their line, in the order of its file. That is what
 picks are kept in, whether the line is in memory or on disk.
 """
 
@@ -56,7 +56,7 @@ class Line(Protocol):
     def __len__(self) -> int: ...
     @property
     def fingerprint(self) -> str:
-        """Tells whether numbers still mean the same points."""
+        """Checks whether numbers still refer to the same points."""
 
     @property
     def first_time(self) -> float:
@@ -112,7 +112,7 @@ class Cloud(Protocol):
         """Their intensities, shape (n,), as in the file, if the line has any."""
 
     def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
-        """Some of them, told by their place in the sample, as `Line.take`."""
+        """Some of them, by their index in the sample, as `Line.take`."""
 
     def placed_with(self, mounting: Mounting) -> "Cloud":
         """The same line with another mounting."""

@@ -45,7 +45,7 @@ CHANGING = ("t_epoch=", "defmodel")
 """Steps of PROJ whose outcome depends on the date."""
 GRID_ENDINGS = (".gtx", ".tif", ".tiff")
 HEIGHT_OFFSET = re.compile(r"[+-]\d+(\.\d+)?")
-"""Metres that are added to heights; the sign tells them from an EPSG code."""
+"""Metres that are added to heights; the sign distinguishes them from an EPSG code."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ class CoordinateSystem:
     crs : pyproj.CRS
         As given.
     height : str
-        What heights are counted from, in words.
+        Description of the height reference.
     unit : str
         Of the horizontal coordinates.
     assumptions : tuple of Message
@@ -211,7 +211,7 @@ def coordinate_system(
     trajectory_datum: str = "",
     epoch: float | None = None,
 ) -> CoordinateSystem:
-    """Settle a coordinate system.
+    """Determine a coordinate system.
 
     Parameters
     ----------
@@ -222,9 +222,9 @@ def coordinate_system(
     height : str
         What heights are counted from: ``ellipsoid``, the EPSG code of a vertical system, the path
         of a geoid grid (.gtx, .tif), or metres with a sign (``+31.2``, ``-28.4``) that are added
-        to get heights above the ellipsoid. Empty: as the system says, else the ellipsoid.
+        to get heights above the ellipsoid. Empty: that of the system, else the ellipsoid.
     height_unit : str
-        One of `UNITS`; empty: as the system says, else that of the horizontal coordinates.
+        One of `UNITS`; empty: that of the system, else that of the horizontal coordinates.
     trajectory_datum : str
         Geographic system of the trajectory where it is not that of the points.
     epoch : float or None, decimal year
@@ -368,7 +368,7 @@ def _vertical(height: str) -> CRS:
 
 
 def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]:
-    """What heights are multiplied by to be in the unit of ``source``, and their unit in words.
+    """Factor of heights to the unit of ``source``, and the name of their unit.
 
     Raises
     ------
@@ -399,7 +399,7 @@ def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
     Raises
     ------
     InputError
-        Where the datum cannot be told, or is not geographic.
+        If the datum cannot be determined, or is not geographic.
     """
     if trajectory_datum:
         datum = _known(trajectory_datum)

@@ -90,7 +90,7 @@ def realizations(system: CRS, target: CRS) -> list[tuple[str, str]]:
 def _group(source: CRS, target: CRS) -> TransformerGroup:
     set_network_enabled(active=False)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # of missing grids, which the caller says
+        warnings.simplefilter("ignore", UserWarning)  # of missing grids, which the caller reports
         return TransformerGroup(source, target, always_xy=True, allow_ballpark=False)
 
 
@@ -119,7 +119,7 @@ def _composed(system: CRS, base: str) -> str:
 
 
 def _grids_missing(source: CRS, target: CRS, grids: list[str]) -> Message:
-    """The message that PROJ lacks grid files; of some operations it does not say which."""
+    """Message that PROJ lacks grid files; for some operations the files are unknown."""
     folder = str(get_user_data_dir())
     if not grids:
         code = "crs.grid_missing_geoid" if source.is_compound else "crs.grid_missing"

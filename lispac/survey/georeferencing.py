@@ -32,7 +32,7 @@ CALIBRATION = (
 )  # fmt: skip
 """Names of the values of a `Mounting`, in the order of `Mounting.values`."""
 STEEPEST_PITCH = float(np.radians(60.0))
-"""Pitch of a boresight from which roll and yaw are told apart badly."""
+"""Pitch of a boresight from which roll and yaw are hardly separable."""
 AXES = tuple(
     np.array(rotation)
     for rotation in (
@@ -46,7 +46,7 @@ AXES = tuple(
 
 
 def is_steep(boresight: Array) -> bool:
-    """Whether the pitch is so near 90 deg that roll and yaw are told apart badly.
+    """Whether the pitch is so near 90 deg that roll and yaw are hardly separable.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class Mounting:
     scan_angle_offset : float, radians
         Turns every beam about the x axis of the LiDAR, about which a profiler's mirror turns.
     latency : float, seconds
-        Added to the time of every point before the trajectory is asked.
+        Added to the time of every point before the trajectory is interpolated.
     axes : ndarray of shape (3, 3) or None
         Rotation by right angles of the axes of the LiDAR before the boresight turns them. Roll and
         yaw are one angle at a pitch of 90 deg; with the axes turned, the boresight stays small.

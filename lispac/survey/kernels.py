@@ -2,7 +2,7 @@
 
 To the local frame by thesis equation 1.1, as in `lispac.survey.georeferencing`.
 
-Each function works on a contiguous piece of a line and lets go of Python's lock, so pieces run on
+Each function works on a contiguous piece of a line and releases Python's lock, so pieces run on
 all cores. Fused ones go through the piece in tiles that stay in the processor's cache: one
 implementation of each step, and no array of intermediate results.
 """

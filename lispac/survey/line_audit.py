@@ -28,13 +28,13 @@ class LineAudit:
     withheld, of_classes, not_selected : int
         Excluded by the withheld flag, by their class, and by the conditions of the user.
     noise : mapping of str to int
-        Points that are used although their class says noise, by class.
+        Points of noise classes that are used, by class.
     first_returns, distinct_times : int
         Points that are first returns, and how often the time changes between them.
     time_step : float, seconds
         Usual gap between distinct times where these are coarse; 0 where they are not.
     groups : mapping of str to mapping of str to int
-        Points used by value of the attributes that tell scanners and passes apart.
+        Points used, by value of the attributes that distinguish scanners and passes.
     spans : list of [float, float], seconds
         Times in which the line has points, in the file's time base, to whole seconds; separated by
         `PASS_GAP` at least.

@@ -1,6 +1,6 @@
 """Between a scanner's points and the map, fast: one fused pass each way.
 
-PROJ is asked once, to fit and check a `SmoothMap` about the trajectory; where that does not hold
+PROJ is used once, to fit and check a `SmoothMap` about the trajectory; where that does not hold
 (beyond the scanner's reach, in the folds of a geoid grid) points go through PROJ one by one. Both
 ways agree with PROJ within `PROMISED` everywhere.
 """
@@ -159,7 +159,7 @@ class PointMapper:
 
 
 class _Fits:
-    """Polynomials about a trajectory, fitted when asked for and kept."""
+    """Polynomials about a trajectory, fitted on first use and kept."""
 
     def __init__(self, system: CoordinateSystem, trajectory: LocalTrajectory) -> None:
         self._system = system
@@ -206,7 +206,7 @@ class _Fits:
         places = low + np.array(list(shares)) * (high - low)
         on_map = self._system.from_local(places, self._frame, strict=False)
         on_map = on_map[np.isfinite(on_map).all(axis=1)]
-        if not len(on_map):  # no part of the site is on the map: the points will say so
+        if not len(on_map):  # no part of the site is on the map: the points are reported
             on_map = np.array([[-1.0] * 3, [1.0] * 3])  # a box, for there is no fit about a point
         return fitted(
             lambda points: self._system.to_local(points, self._frame, strict=False),

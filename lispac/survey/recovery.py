@@ -44,7 +44,7 @@ class Chunk(Protocol):
 
     @property
     def extra(self) -> Any:
-        """What else the file holds of each point."""
+        """Other attributes of each point in the file."""
 
 
 C = TypeVar("C", bound=Chunk)
@@ -63,7 +63,7 @@ class Recovery:
     mounting : Mounting
         Lever arm, boresight and offsets applied when the cloud was made.
     path : Path, optional
-        Of the cloud, for what is said of it.
+        Of the cloud, for messages.
     """
 
     system: CoordinateSystem
@@ -73,7 +73,7 @@ class Recovery:
 
     @property
     def assumptions(self) -> tuple[Message, ...]:
-        """What has to hold for the vectors to be those of the scanner."""
+        """Conditions under which the vectors are those of the scanner."""
         return (*self.system.assumptions, note("assumed.cloud_made_with"))
 
     @cached_property
@@ -178,7 +178,7 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     ----------
     points_lidar : ndarray of shape (n, 3), metres
     path : Path
-        Of the line, for what is said of it.
+        Of the line, for messages.
 
     Raises
     ------

@@ -24,15 +24,15 @@ Array = NDArray[np.float64]
 MOST_POINTS = 4000
 """Points of the sample that a cause is tried with."""
 FEWEST_POINTS = 200
-"""Points below which nothing is said."""
+"""Smallest number of points for a result."""
 MISFIT_ALLOWED = 0.005
 """Metres: smoothing of the trajectory, rounding and jitter of the times leave as much."""
 MISFIT_ANGLE = 0.0005
 """Radians of beam direction, allowed besides."""
 SMALLEST_ARC = 0.35
-"""Radians: beams of a smaller arc do not tell a cone from a wrong recovery."""
+"""Radians: beams of a smaller arc do not distinguish a cone from a wrong recovery."""
 PROFILER = 0.1
-"""Misfit over range up to which a scanner may be a profiler though no cause brings it back."""
+"""Misfit over range up to which a scanner may be a profiler although no cause explains it."""
 LARGEST_TURN = np.radians(2.0)
 """Between the scan plane and the axes of the scanner, which a profiler has along it."""
 TURN_MISFIT = 0.01
@@ -40,7 +40,7 @@ TURN_MISFIT = 0.01
 BETTER = 3.0
 """Factor by which a cause has to reduce the misfit to explain it."""
 CLEARLY = 1.5
-"""Factor between the misfits of the best cause and the next from which the best is named alone."""
+"""Factor between the misfits of the best cause and the next from which only the best is named."""
 HEIGHTS = np.arange(-120.0, 121.0, 2.0)
 """Metres: the geoid lies between 107 m below and 86 m above the ellipsoid."""
 TIMES = (-37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
@@ -213,7 +213,7 @@ def _plane(found: _Recovered) -> BeamCone:
 
 
 def _cone(found: _Recovered) -> BeamCone:
-    """A cone, where the beams tell it from a plane or a point."""
+    """A cone, if the beams distinguish it from a plane or a point."""
     cone = fit_cone(found.points)
     return cone if arc_of(found.points) > SMALLEST_ARC else replace(cone, misfit=np.inf)
 

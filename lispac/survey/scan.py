@@ -30,7 +30,7 @@ class Scan:
 
     @cached_property
     def fingerprint(self) -> str:
-        """Number and checksum of the points: tells whether indices still mean the same points."""
+        """Number and checksum of the points: shows whether indices refer to the same points."""
         checksum = crc32(np.ascontiguousarray(self.points_lidar).data)
         checksum = crc32(np.ascontiguousarray(self.time).data, checksum)
         return f"{len(self)}-{checksum:08x}"

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 KEPT = 0.9
-"""Share of the points, with the smallest misfits, that the fit goes by."""
+"""Share of the points, those with the smallest misfits, used in the fit."""
 ROUNDS = 3
 """Fits, each to the points kept by the one before."""
 NORMAL = 1.4826

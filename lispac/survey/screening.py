@@ -32,13 +32,13 @@ GROUPS = (
     "scanner_channel", "point_source_id", "user_data", "scanner", "scanner_id", "head", "head_id",
     "device", "device_id", "sensor_id", "lidar_id",
 )  # fmt: skip
-"""Attributes that tell the scanners or passes of one file apart."""
+"""Attributes that distinguish the scanners or passes of one file."""
 MOST_VALUES = 64
 """Values of such an attribute that are counted; one with more is something else."""
 TIMES_OF_CHUNK, MOST_CHUNKS_OF_TIMES = 1000, 20
-"""Times of a chunk, and chunks, that tell whether times are on a grid."""
+"""Times of a chunk, and chunks, used to detect a grid of times."""
 RANGE_STEP = 101
-"""One point in so many is taken for the mean range."""
+"""One point in this number is used for the mean range."""
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ class PointScreen:
     ----------
     selection : PointSelection
     ranged : bool
-        Whether coordinates are in the scanner frame, so that they tell the range.
+        Whether coordinates are in the scanner frame, so that they give the range.
     far_copies : bool
         Whether copies are found however far apart they are in the file; that takes 16 bytes a
         point, otherwise memory is constant.

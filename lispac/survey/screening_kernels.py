@@ -64,7 +64,7 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
             continue
         t, x, y, z = time[i], xyz[i, 0], xyz[i, 1], xyz[i, 2]
         r2 = x * x + y * y + z * z
-        # Nearly all points pass here; of those that do not, the reason is sought.
+        # Nearly all points pass here; of those that do not, the reason is searched for.
         if low < r2 <= high and -largest_time <= t <= largest_time and (x != y or y != z):
             continue
         if not (

@@ -20,7 +20,7 @@ from lispac.survey import kernels
 Array = NDArray[np.float64]
 
 RESIDUAL = 1e-6
-"""Metres that a polynomial may be off at its check points; a tenth of what is promised."""
+"""Metres that a polynomial may be off at its check points; a tenth of the guaranteed accuracy."""
 PROMISED = 1e-5
 """Metres that a mapped point is off at most."""
 SMALLEST = 30.0

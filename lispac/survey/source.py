@@ -31,7 +31,7 @@ class Reading:
         Key of its format; empty for the program's own ways: SBET, smrmsg, LAS or LAZ in the LiDAR
         frame, text with named columns.
     options : tuple of (str, str)
-        What the file does not say, as settled when the project was made.
+        Options that the file does not contain, determined when the project was created.
     time_shift : float, seconds
         Added to the times of a line to bring them into the trajectory's time base.
     """

@@ -21,7 +21,7 @@ MOST_PARTS = 20
 BETTER = 0.5
 """Error of the cubic over that of a straight line, at states left out, up to which it is used."""
 FEWEST = 20
-"""States that can be left out, below which nothing is inserted."""
+"""States that can be excluded, below which nothing is inserted."""
 QUANTILE = 0.995
 """Of the intervals, for the number of parts."""
 
@@ -52,7 +52,7 @@ class Densified:
 def densified(time: Array, states: Array, derivatives: Array, longest_gap: float) -> Densified:
     """Insert states where straight lines between the given ones are off by more than `LIMIT`.
 
-    The derivatives of a component are used where the cubic predicts states that are left out
+    The derivatives of a component are used where the cubic predicts states that are excluded
     clearly better than a straight line does. Velocities along other axes or with another sign, and
     rates in another unit, do not.
 

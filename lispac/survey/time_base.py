@@ -24,7 +24,7 @@ GPS_AFTER_TAI = 19.0
 GPS_EPOCH = datetime(1980, 1, 6, tzinfo=UTC).timestamp()
 """Unix time of the zero of GPS time, seconds."""
 NEAR_START = 60.0
-"""Seconds before and after a midnight or the end of a week in which times are seen to restart."""
+"""Seconds before and after midnight or the end of a week for the detection of a rollover."""
 
 LEAP_DATES = (
     date(1981, 7, 1), date(1982, 7, 1), date(1983, 7, 1), date(1985, 7, 1), date(1988, 1, 1),
@@ -163,7 +163,7 @@ def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
 
 
 def from_gps(gps: Array, base: TimeBase) -> Array:
-    """The inverse of `to_gps`; a day or week that ends on the way is counted on, not restarted."""
+    """The inverse of `to_gps`; times continue across a rollover."""
     gps = np.asarray(gps, dtype=np.float64)
     if not gps.size:
         return gps.copy()
@@ -228,7 +228,7 @@ class Match:
     share : float
         Part of the point times that then lies inside the trajectory's span.
     leap_assumed : bool
-        Whether the leap seconds of today were taken because neither file tells the date.
+        Whether the current leap seconds were used because neither file contains the date.
     """
 
     pairs: tuple[tuple[TimeBase, TimeBase], ...]
@@ -266,7 +266,7 @@ def matches(
         Of one line, all or a sample.
     trajectory_times : ndarray of shape (m,), seconds, increasing
     point_bases, trajectory_bases : iterable of TimeBase, optional
-        Where the base is stated; otherwise all that the values allow.
+        Where the base is given; otherwise all that the values allow.
 
     Returns
     -------

@@ -16,13 +16,13 @@ COARSEST_HARMLESS = 1e-4
 
 @dataclass(frozen=True)
 class TimeQuality:
-    """What times look like, in the order of the file.
+    """Quality of times, in the order of the file.
 
     Attributes
     ----------
     count : int
     duplicates : int
-        Times equal to the one before, or nearer to it than any clock can tell.
+        Times equal to the one before, or nearer to it than the resolution of any clock.
     backward : int
         Times earlier than the one before.
     first_disorder : int or None
@@ -55,7 +55,7 @@ class TimeQuality:
 
 
 def time_quality(times: Array) -> TimeQuality:
-    """Look through ``times``, shape (n,), seconds, in the order of the file."""
+    """Examine ``times``, shape (n,), seconds, in the order of the file."""
     times = np.asarray(times, dtype=np.float64)
     with np.errstate(over="ignore", invalid="ignore"):
         steps = np.diff(times)
@@ -73,7 +73,7 @@ def _lost_resolution(times: Array) -> float | None:
     """Step of 32-bit numbers where times use every one of its values, not a coarser grid.
 
     Times at whole seconds pass through 32 bits unharmed: all their steps are multiples of a
-    second, while 32-bit numbers could have told finer ones apart.
+    second, while 32-bit numbers would resolve finer ones.
     """
     if len(times) < 3 or not np.isfinite(times).all() or np.abs(times).max() > 1e30:
         return None

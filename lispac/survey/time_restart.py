@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 NONE = "none"
 PERIODS: Mapping[str, float] = {"midnight": DAY, "week-end": WEEK, "full-hour": HOUR}
-"""Seconds that times are counted on by, by what is said of them; nothing where it is not one."""
+"""Seconds added after a rollover, by the option; 0 for other values."""
 KEYS = (NONE, *PERIODS)
 PLACES: Mapping[str, Message] = {
     "midnight": note("rollover.midnight"), "week-end": note("rollover.week_end"),
@@ -67,7 +67,7 @@ def counted_on(times: Array, restart: str) -> Array:
 
 
 def as_written(times: Array, restart: str) -> Array:
-    """The inverse of `counted_on`, to the last digit of the times counted on."""
+    """The inverse of `counted_on`, to the last digit of the continued times."""
     period = PERIODS.get(restart)
     if period is None:
         return times

@@ -1,4 +1,4 @@
-"""What follows for a line's times from the time bases that are stated."""
+"""Time shifts of a line from the given time bases."""
 
 from dataclasses import dataclass
 
@@ -49,9 +49,9 @@ class KnownTimeBase:
     ----------
     base : TimeBase or None
     stated : bool
-        Whether the user states it; otherwise it is what the file says or its format takes.
+        Whether the user gives it; otherwise it comes from the file or its format.
     suggested : bool
-        Whether the file does not say it and its values suggest it.
+        Whether it is detected from the values, not given in the file.
     """
 
     base: TimeBase | None = None
@@ -99,7 +99,7 @@ def contradiction(times: Array, own: KnownTimeBase, file: str) -> Message | None
 def following(
     times: Array, track: Array, own: KnownTimeBase, other: KnownTimeBase
 ) -> tuple[Match, ...] | None:
-    """Ways from the line's base to the trajectory's, best first, where something is stated.
+    """Ways from the line's base to the trajectory's, best first, where something is given.
 
     Parameters
     ----------
@@ -113,8 +113,8 @@ def following(
     Returns
     -------
     tuple of Match or None
-        None where nothing is stated, or one of the two is not known or denied by the times; empty
-        where what is stated brings no point inside.
+        None if nothing is given, or one of the two is unknown or contradicted by the times; empty
+        if the given bases bring no point inside.
     """
     if own.base is None or other.base is None or not (own.stated or other.stated):
         return None

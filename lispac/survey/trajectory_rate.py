@@ -12,7 +12,7 @@ from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
 Array = NDArray[np.float64]
 
 ALLOWED = 0.1
-"""Share of the stated accuracy that the error of the interpolation may reach."""
+"""Share of the given accuracy that the error of the interpolation may reach."""
 WINDOW = 0.25
 """Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
 QUANTILE = 0.95

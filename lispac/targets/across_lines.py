@@ -59,7 +59,7 @@ LEAST_COVERED, MOST_LARGER = 0.3, 3.0
 
 @dataclass(frozen=True, eq=False)
 class _Reference:
-    """What is looked for in the other lines."""
+    """What is searched for in the other lines."""
 
     seed: Array
     patch: PlanePatch
@@ -102,7 +102,7 @@ def find_in_lines(
     found : dict of line name to PlanePatch
         Normals all face the same side.
     missing : dict of line name to Message
-        Why the target was not found in a line, in words.
+        Reason why the target was not found in a line.
 
     Raises
     ------

@@ -2,7 +2,7 @@
 
 With the prior boresight a target stands up to a metre and more elsewhere in each line, and where
 the platform turns or the range changes along it, it is bent as well. Both are the work of three
-angles, which the scene as a whole tells to a tenth of a degree before anything has been picked:
+angles, which the whole scene determines to a tenth of a degree before anything is picked:
 nearest points that face alike are drawn together along their normals (iterative closest point,
 point to plane: Chen and Medioni 1992), with a reach that shrinks.
 
@@ -29,8 +29,8 @@ Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 LOOKED_AT, MOST_POINTS = 200_000, 3_000
-"""Points of a line that are looked at, and of these the most that speak: spread evenly over the
-scene, a few tell as much as all."""
+"""Points of a line that are examined, and of these the most that speak: spread evenly over the
+scene, a few hold as much information as all."""
 FINEST = 0.1
 """Least spacing of these points, metres."""
 NEIGHBOURS = 10
@@ -81,7 +81,7 @@ class Alignment:
     met, met_before : float, in [0, 1]
         Of the points with something alike in another line nearby, the share that meets it.
     determined : bool
-        The scene tells all three angles. One wall alone does not: its lines meet as well where they
+        All three angles are determined. One wall alone does not: its lines also meet where they
         are shifted along it.
     apart : float, metres
         Standard deviation of the distance between the surfaces of two lines, a robust one.
@@ -145,7 +145,7 @@ def align(clouds: Mapping[str, Cloud]) -> Alignment:
 
 @dataclass(frozen=True, eq=False)
 class _Line:
-    """Some points of a line, as the scanner saw them, and what tells their normals."""
+    """Some points of a line in the scanner frame, with data for their normals."""
 
     points_lidar: Array
     time: Array
@@ -235,18 +235,18 @@ class _Scene:
     def stepped(self, boresight: Array, reach: float) -> Array:
         """One step of Gauss and Newton, with weights that fall off within the reach."""
         information, gradient = self._told(boresight, reach)
-        # Thousands of points err alike: they tell no more than one, and the prior keeps its say.
+        # Thousands of points have a common error: they count as one, the prior keeps its weight.
         prior = (SPREAD / LIKELY) ** 2
         gradient = gradient + prior * (boresight - self.boresight)
         return np.asarray(boresight - np.linalg.solve(information + prior * np.eye(3), gradient))
 
     def determines(self, boresight: Array) -> bool:
-        """Whether the scene tells all three angles, where the lines meet with this boresight."""
+        """Whether the scene determines all three angles, if the lines meet with this boresight."""
         information, _ = self._told(boresight, REACHES[-1])
         return bool(np.linalg.eigvalsh(information)[0] >= LEVERAGE**2)
 
     def _told(self, boresight: Array, reach: float) -> tuple[Array, Array]:
-        """What a pair of points tells of the angles, in the weighted mean.
+        """Mean information of a pair of points on the angles.
 
         Returns
         -------

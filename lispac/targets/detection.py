@@ -36,7 +36,7 @@ class Points(Protocol):
 
 # Side of the voxels of the first look, metres: a board of half a metre still has 25 of them.
 VOXEL = 0.1
-# Least area (square metres) and least mean width (metres) worth following: posts and rails
+# Smallest area (square metres) and mean width (metres) of a candidate: posts and rails
 # are narrow strips.
 LEAST_AREA, LEAST_WIDTH = 0.4, 0.3
 # Surfaces followed through the lines. A smeared or rough one comes in pieces, other ones in each
@@ -95,7 +95,7 @@ def detect_planes(
     lines : mapping of line name to points by their index, optional
         What the indices of the planes mean; ``clouds`` where not given.
     find : callable, optional
-        Seeks the plane at a seed, shape (3,), in all lines, in the named one first;
+        Searches for the plane at a seed, shape (3,), in all lines, in the named one first;
         `find_in_lines` in ``clouds`` where not given.
     most : int
         Surfaces to follow through the lines.

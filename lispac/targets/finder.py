@@ -48,7 +48,7 @@ class PlanePatch:
     extent : ndarray of shape (2,), metres
         Width (level) and height (up the slope).
     one_in : int
-        Of how many points about the seed one was looked at.
+        Of how many points about the seed one was examined.
     """
 
     indices: Indices
@@ -88,7 +88,7 @@ def find_plane(
         Only planes within ``settings.max_tilt`` of this normal are taken.
     beside : ndarray of shape (m, 3), metres, local frame, optional
         Where ``points_local`` are a sample: all of the line's points close to the seed, the nearest
-        first. They say where it was clicked, and have no vote: it would weigh more than its share.
+        first. They mark the clicked place and have no vote: it would have too much weight.
 
     Raises
     ------
@@ -217,7 +217,7 @@ def extract(
     indices : ndarray of shape (n,)
         Their places in the line's cloud.
     votes : ndarray of shape (n,)
-        How much each point has to say about which plane is meant.
+        Weight of each point in the choice of the plane.
     settings : FinderSettings
     seed : ndarray of shape (3,), metres, local frame
         For the messages.

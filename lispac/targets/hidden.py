@@ -1,7 +1,7 @@
 """How much of its target a sighting shows, by what the other lines show of it.
 
 A post that hides half of a board leaves a patch with an outline of its own, whole and well covered.
-Only the other lines tell that there is more.
+Only the other lines show that there is more.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 WHOLE = 1.5
 """Times the search radius: a plane with a larger extent is cut by the radius, here and there."""
 HIDDEN = (0.7, 0.5)
-"""Share of what the other lines show: doubtful below the first, poor below the second, as where
+"""Share of the extent on other lines: doubtful below the first, poor below the second, as where
 points are missing inside the outline."""
 VOTES = 3
 """Other lines from which one alone that shows far more than all of them is not believed."""

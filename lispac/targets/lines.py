@@ -27,12 +27,12 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Patch = TypeVar("Patch")
 
-# The patch has this share of the say in where the line has moved; its surroundings have the rest.
+# Weight of the patch in the translation of the line; its surroundings have the rest.
 PATCH_SHARE = 0.5
 # A seed this near to a point of a line, metres, was taken from that line: coordinates are often
 # written with three decimals.
 CLICK = 0.002
-# Translations looked at, and how near in score a different patch makes the answer doubtful.
+# Translations tested, and the score difference of another patch below which it is ambiguous.
 CANDIDATES, DOUBT = 6, 0.97
 # A match that scores less than this share of its translation is little like the reference.
 ALIKE = 0.9
@@ -67,7 +67,7 @@ class Shape(Generic[Patch]):
 
 @dataclass(frozen=True, eq=False)
 class Surroundings:
-    """The points about a patch, and their say in where the line has moved.
+    """The points about a patch, and their weights in the translation of the line.
 
     Attributes
     ----------
@@ -167,7 +167,7 @@ def surroundings(
     weights = 1.0 / (1.0 + (distance / (0.5 * settings.radius)) ** 2)
     beside = ~on_patch
     if beside.any() and on_patch.any():
-        # Shares by voxel, as the comparison counts them, or a dense patch would have all the say.
+        # Weights by voxel, as in the comparison, or a dense patch would dominate.
         ratio = _filled(cloud[around[on_patch]]) / max(1, _filled(cloud[around[beside]]))
         weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
         weights[on_patch] = 1.0

@@ -1,6 +1,6 @@
 """All the flat patches of a cloud: local planes grown into each other's neighbourhood.
 
-A coarse look that says where planes are. Each point's plane through its neighbours tells its
+A coarse search for planes. Each point's plane through its neighbours tells its
 direction; regions grow from the flattest points over neighbours that lie on the region's plane and
 face as it does (Rabbani, van den Heuvel and Vosselman 2006). Where a patch is wanted to the last
 point, `lispac.targets.finder` takes it from there.

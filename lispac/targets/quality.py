@@ -19,7 +19,7 @@ Indices = NDArray[np.int64]
 Light = Literal["good", "doubtful", "poor"]
 
 # Each pair: doubtful beyond the first, poor beyond the second.
-# Below, strays and the outline's chance decide over the plane.
+# Below, outliers and chance in the outline dominate the plane.
 FEW_POINTS = (200, 50)
 # Times the noise: with noise alone the RMS is one, and mixed pixels add a tenth.
 ROUGH = (2.0, 3.0)
@@ -43,7 +43,7 @@ LITTLE_SEEN = (0.2, 0.12)
 
 @dataclass(frozen=True, eq=False)
 class SightingQuality:
-    """What can be said of one target on one line.
+    """Quality of one sighting (a target on a line).
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ class SightingQuality:
 
 
 def with_remarks(quality: SightingQuality, remarks: tuple[Message, ...]) -> SightingQuality:
-    """The quality with more to doubt; it is doubtful at least where there is any."""
+    """The quality with further reasons; it is at least doubtful if there are any."""
     if not remarks:
         return quality
     light: Light = "doubtful" if quality.light == "good" else quality.light
@@ -153,7 +153,7 @@ def plane_quality(
     boresight_off : float, radians
         Sigma of that error in each angle.
     threshold : float, metres, optional
-        Farthest from the plane that points were looked for.
+        Farthest from the plane that points were searched for.
     shown : Shown, optional
         What the other lines show of the same plane, where it ends within the search radius.
     """
@@ -222,7 +222,7 @@ def sphere_quality(
 
 
 Graded = tuple[int, Message]
-"""A reason with how bad it is: 1 doubtful, 2 poor."""
+"""A reason with its severity: 1 doubtful, 2 poor."""
 
 
 def _few(points: int) -> list[Graded]:

@@ -14,7 +14,7 @@ Indices = NDArray[np.int64]
 
 # Hypotheses are judged on at most this many points.
 SAMPLE = 4000
-# A batch of hypotheses, after which the stop criterion is looked at, and the most batches.
+# A batch of hypotheses, after which the stop criterion is examined, and the most batches.
 BATCH, MOST_BATCHES = 128, 12
 # The widest triangle, as a share of the search radius, from which a hypothesis is drawn.
 LOCAL = 0.5
@@ -23,7 +23,7 @@ LOCAL = 0.5
 BESIDE, AGAINST = 3.0, 0.3
 # How much a hypothesis may lean from the expected normal before it counts half, radians.
 LEAN = radians(10.0)
-# Hypotheses worth growing: how many, how good beside the best by votes, and how much they must
+# Hypotheses to grow: how many, how good relative to the best by votes, and how much they must
 # differ in tilt (radians).
 CONTENDERS, WORTH, APART = 6, 0.7, radians(2.0)
 
@@ -130,7 +130,7 @@ def _judge(
         normal = np.cross(u, v)
         twice_area = np.sqrt((normal * normal).sum())
         longest = max((u * u).sum(), (v * v).sum(), (w * w).sum())
-        # A sliver says nothing about the plane across its length.
+        # A sliver does not determine the plane across its length.
         if longest == 0.0 or twice_area < 0.2 * longest:
             continue
         normal /= twice_area

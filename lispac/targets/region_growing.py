@@ -14,7 +14,7 @@ Indices = NDArray[np.int64]
 # A cell of the patch is kept when its share of points on the plane is at least this part of the
 # share around the seed; where another surface runs through the plane it is far smaller.
 PURE = 0.6
-# Rounds of growing and fitting; they settle in two to five.
+# Rounds of growing and fitting; they converge in two to five.
 MOST_ROUNDS = 12
 # Steps of the weighted fit in one round of growing.
 ROBUST_ROUNDS = 5
@@ -93,7 +93,7 @@ def strongest(
 def _robust_plane(points: Array, plane: Plane, threshold: float) -> Plane:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
-    It settles on the densest layer of the points. A plain fit of everything within the threshold
+    It converges to the densest layer of the points. A plain fit of everything within the threshold
     is content with a tilted plane that fills the threshold evenly, where surfaces are uneven or run
     into each other.
     """
@@ -123,7 +123,7 @@ def _connected_on(points: Array, votes: Array, plane: Plane, threshold: float) -
 
 
 def trimmed(points: Array, on: Indices, settings: FinderSettings) -> Indices:
-    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals.
+    """Remove points beyond three sigma, the sigma taken from the middle of the residuals.
 
     Parameters
     ----------

@@ -19,12 +19,12 @@ Array = NDArray[np.float64]
 UP = np.array([0.0, 0.0, 1.0])
 
 LEVEL = np.cos(np.radians(80.0))
-"""Horizontal part of a normal below which its direction says nothing: the target lies flat."""
+"""Horizontal part of a normal below which its direction is undefined: the target lies flat."""
 
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """A box of which a thin side is looked at.
+    """A box of which a thin side is examined.
 
     Attributes
     ----------

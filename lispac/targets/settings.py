@@ -1,4 +1,4 @@
-"""How a plane is sought."""
+"""Settings of the plane search."""
 
 from dataclasses import asdict, dataclass
 from math import pi, radians
@@ -18,7 +18,7 @@ def is_possible_search(threshold: float, radius: float) -> bool:
 
 @dataclass(frozen=True)
 class FinderSettings:
-    """How a plane is sought.
+    """Settings of the plane search.
 
     Attributes
     ----------

@@ -1,7 +1,7 @@
 """How far one line lies from another around a seed, while the boresight is still wrong.
 
 The same target stands elsewhere in each line. What surrounds it has moved along with it, so the
-translation that lays one line's surroundings onto the other's tells where to look.
+translation that aligns one line's surroundings with the other's gives the place.
 """
 
 from dataclasses import dataclass

@@ -17,7 +17,7 @@ def smear_taken_off(placed: Array, off: Array, moves: Array, noise: float, off_b
 
     A turn of the LiDAR moves the points of a board along its normal. Where the platform turns or
     travels meanwhile they do not move alike, and a flat board is placed bent. The turn that
-    explains most is sought by least squares together with a plane; it is held to what the
+    explains most is searched for by least squares together with a plane; it is held to what the
     boresight may be off by, so that a board crossed in no time keeps its own bend.
 
     Parameters

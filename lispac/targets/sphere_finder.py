@@ -25,7 +25,7 @@ __all__ = ["RadiusSought", "SpherePatch", "find_sphere"]
 # The farthest from the seed, in largest radii, at which a point can belong to its ball.
 REACH = 3.0
 # While points and sphere are chosen in turns, so many points are enough for the fit, and a radius
-# that leaves the span sought by this factor will not come back.
+# that leaves the searched range by this factor will not return.
 ENOUGH, LOOSE = 1000, 1.5
 # Half angle of the cap that is kept. Beyond it the beam only grazes the ball, and the mixed pixels
 # behind its rim come near the surface again.
@@ -88,7 +88,7 @@ class SpherePatch:
     share : float
         Share of the whole surface that the points span.
     one_in : int
-        Of how many points about the seed one was looked at.
+        Of how many points about the seed one was examined.
     """
 
     indices: Indices
@@ -234,7 +234,7 @@ def _on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
 def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float) -> Sphere:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
-    It settles on the densest layer of the points.
+    It converges to the densest layer of the points.
     """
     for _ in range(ROBUST_ROUNDS):
         off = sphere.distances(points) / threshold
@@ -243,7 +243,7 @@ def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float
 
 
 def _trimmed(points: Array, on: Indices, radius: float | None, settings: FinderSettings) -> Indices:
-    """Drop what lies beyond three sigma, the sigma taken from the middle of the residuals."""
+    """Remove points beyond three sigma, the sigma taken from the middle of the residuals."""
     residuals = np.abs(fit_sphere(points[on], radius).distances(points[on]))
     sigma = 1.4826 * float(np.median(residuals))
     kept = on[residuals <= min(settings.threshold, TRIM * sigma)]

@@ -14,9 +14,9 @@ Indices = NDArray[np.int64]
 # Hypotheses are judged on the nearest points in full and on every so-manieth of those farther off:
 # a ball of some hundred points must not be thinned away with a wall of a hundred thousand.
 NEAREST, FARTHER = 2500, 2500
-# The radius of a hypothesis, from four noisy points, may miss the span sought by this share.
+# The radius of a hypothesis, from four noisy points, may miss the searched range by this share.
 ROUGH = 0.25
-# Hypotheses worth refining: how many, how good beside the best, and how much their centres must
+# Hypotheses to refine: how many, how good relative to the best, and how much their centres must
 # differ, as a share of the radius.
 CONTENDERS, WORTH, APART = 8, 0.6, 0.25
 
@@ -31,7 +31,7 @@ def draw(
     points : ndarray of shape (n, 3), metres, local frame, the nearest to the seed first
     votes : ndarray of shape (n,)
     least, most : float, metres
-        Radii sought. Where they are equal the radius is known and three points make a hypothesis,
+        Range of radii. If they are equal the radius is known and three points make a hypothesis,
         else four.
     settings : FinderSettings
     """
@@ -113,7 +113,7 @@ def _judge(
         ww = (w * w).sum()
         normal = np.cross(u, v)
         square = (normal * normal).sum()
-        # A sliver says nothing about the curve across its length.
+        # A sliver does not determine the curve across its length.
         if square < 0.01 * max(uu, vv) ** 2 or square == 0.0:
             continue
         if known:

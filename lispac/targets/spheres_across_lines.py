@@ -66,7 +66,7 @@ def find_spheres_in_lines(
     -------
     found : dict of line name to SpherePatch
     missing : dict of line name to Message
-        Why the target was not found in a line, in words.
+        Reason why the target was not found in a line.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """Surfaces like a target beside it, of which it can be mistaken for another in another line.
 
 Lines that lie along one wall meet wherever they are shifted along it. Which of two equal boards a
-line shows where another one does can then not be told, and a wrong one looks as good as the right.
+line shows where another one does cannot be determined, and a wrong one fits as well.
 """
 
 import numpy as np

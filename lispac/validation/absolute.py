@@ -8,7 +8,7 @@ covariance.
 
 All lines together are the mean of their means: the POS error that the places of a line share is
 larger than what they scatter by, so that lines and not places are what is independent, and a dense
-line tells no more than a sparse one.
+line has no more weight than a sparse one.
 """
 
 from collections.abc import Sequence
@@ -33,7 +33,7 @@ WITHIN = 0.5
 """Percentiles left on either side of a histogram, which its first and last bin hold."""
 NARROWEST = 1e-6
 OFTEN = 0.1
-"""Share of a line's places that have another surface within reach, below which nothing is said."""
+"""Share of a line's places with another surface within reach, from which it is reported."""
 ALL_LINES = "all lines"
 
 
@@ -169,12 +169,12 @@ class AbsoluteCheck:
         Of that file as it was read.
     kind : {"scan", "points"}
     system : str
-        What its coordinates were taken to be in, in words.
+        Assumed coordinate system, as text.
     sigma : float, metres
         Of the reference: shared by all of a scan; the usual one of points, which err each for
         themselves.
     reach : float, metres
-        How far from the reference a line was looked for.
+        How far from the reference a line was searched for.
     lines : tuple of LineCheck
     together : LineCheck
     not_compared : tuple of Message
@@ -372,7 +372,7 @@ def _alike(line: LinePlaces) -> Array:
 def _scatter(found: NormalDistances) -> float:
     """Sigma of a line's mean by the scatter of its places, metres."""
     within = float(np.sum((found.distance - found.distance.mean()) ** 2))
-    # A single place does not scatter; its own interval says how sure it is.
+    # A single place has no scatter; its own interval gives its uncertainty.
     own = float(np.sum((found.half_width / NORMAL_95) ** 2))
     return float(np.sqrt(max(within, own))) / len(found.distance)
 

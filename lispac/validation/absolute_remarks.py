@@ -90,7 +90,7 @@ def _rms(check: AbsoluteCheck) -> Message:
 
 
 def _others(check: AbsoluteCheck) -> Iterator[Message]:
-    """Surfaces that may have been taken for the one that the reference shows."""
+    """Surfaces that may have been confused with the reference surface."""
     if check.others is None:
         yield note("absolute.former_version")
     elif check.others:

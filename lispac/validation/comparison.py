@@ -86,7 +86,7 @@ def compare_plane(
         estimated boresight: the same points in the same order. More than 100 000 of a line are
         thinned to every second, third, ... point, the same ones in both states.
     headings : mapping of line name to float, radians
-        Tells which lines were run in opposite directions: there the boresight shows most.
+        Identifies lines in opposite directions: these are the most sensitive to the boresight.
     model : LocalModel
         What stands for the surface between the points of the other line.
     facing : ndarray of shape (3,), optional

@@ -1,6 +1,6 @@
 """Calibrations of one system in the order of time: has its mounting moved?
 
-Each calibration is held against the mean of those before it, as a control chart does (Shewhart
+Each calibration is compared with the mean of those before it, as a control chart does (Shewhart
 1931), with limits of three sigmas of that very difference: calibrations are not equally good. One
 that lies beyond them begins a new series, whose mean no longer knows the mounting as it was.
 """
@@ -17,7 +17,7 @@ from lispac.validation.repeatability import Calibration, Difference, difference,
 Array = NDArray[np.float64]
 
 LIMIT = 3.0
-"""Sigmas of the difference from the mean, beyond which the mounting is said to have moved."""
+"""Sigmas of the difference from the mean, beyond which the mounting has moved."""
 CHANCE = 2.0 * NormalDist().cdf(-LIMIT)
 """Of that without a reason, for one angle; and for the three together, which are tested too. Either
 comes up without a reason for hardly one calibration in a hundred."""
@@ -56,7 +56,7 @@ class ChartedCalibration:
 
 
 def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibration, ...]:
-    """Hold each calibration against the mean of those before it.
+    """Compare each calibration with the mean of those before it.
 
     Parameters
     ----------

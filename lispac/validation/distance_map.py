@@ -1,6 +1,6 @@
 """Where on a plane one line lies off another: signed distances over the plane's own two axes.
 
-A histogram does not tell a tilt from noise, nor a bent board from a POS error; the picture does.
+A histogram does not separate a tilt from noise, or a bent board from a POS error; the map does.
 Each cell has the distance along the normal (M3C2: Lague et al. 2013) at the point in its middle, in
 a cylinder as wide as the cell; before and after are of the same points, drawn where they are after.
 """

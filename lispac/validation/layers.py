@@ -4,7 +4,7 @@ A line that passes a board sees the wall behind it too, and a cylinder as deep a
 holds points of both. Their mean lies on neither. So the points along the normal are parted into
 layers, where they are dense, and the layer nearest to the reference is the surface.
 
-What a single place takes for the nearest layer may be stray points, or the wall where the line has
+The nearest layer at a single place may be outliers, or the wall where the line has
 nothing of the board. So the places of a neighbourhood are parted into layers again by where theirs
 are.
 """
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 DENSE = 0.2
-"""Share of the points where they are densest, below which they are no layer but stray."""
+"""Share of the points where they are densest, below which they are outliers, not a layer."""
 FEWEST_POINTS, FEWEST_PLACES = 4, 2
 """Of a layer: points of a line, and places of a neighbourhood (a single one is taken as it is)."""
 

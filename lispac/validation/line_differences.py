@@ -33,7 +33,7 @@ LEVEL, UPRIGHT = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
 """Upward part of the normal: within 10 deg of it the USGS looks at ground, within 10 deg of the
 horizon a wall stands."""
 MOST_READ = 300_000
-"""Points of a line that are looked at: spread evenly over it."""
+"""Points of a line that are examined: spread evenly over it."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -58,11 +58,11 @@ class NormalDistances:
     at: NDArray[np.intp]
 
     def only(self, cores: NDArray[np.intp]) -> "NormalDistances":
-        """Those at some of the core points, told by their numbers ``cores`` (k,), ascending."""
+        """Those at some of the core points, by their numbers ``cores`` (k,), ascending."""
         return self.part(np.searchsorted(self.at, cores))
 
     def part(self, kept: NDArray[np.intp]) -> "NormalDistances":
-        """Some of the distances, told by their own numbers, ``kept`` (k,)."""
+        """Some of the distances, by their own numbers, ``kept`` (k,)."""
         return NormalDistances(
             self.cores[kept], self.distance[kept], self.half_width[kept],
             self.no_distance + len(self.at) - len(kept), self.normals[kept], self.at[kept],

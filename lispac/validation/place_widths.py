@@ -1,4 +1,4 @@
-"""How wide to look at each place of a reference, by how dense it and a line are there.
+"""Cylinder width at each place of a reference, from the densities of it and of a line.
 
 A beam that meets a wall at 60 m leaves points farther apart than one at 15 m, and one width for all
 of a site is that of where most points are: sparse places then hold too few points for a distance.

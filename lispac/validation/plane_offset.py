@@ -20,9 +20,9 @@ UNKNOWNS, ROUNDS = 3, 4
 NMAD = 1.4826
 """Standard deviation of normal noise over its median absolute value."""
 STRAY = 3.5
-"""Robust sigmas beyond which a point is no noise of the plane: left out, and counted."""
+"""Robust sigmas beyond which a point is an outlier: excluded, and counted."""
 FINEST = 1e-9
-"""Metres; the least noise that is told from rounding."""
+"""Metres; the smallest noise distinguishable from rounding."""
 NEAREST = 1e-4
 """Metres; nearer to the plane all points weigh the same in its first fit."""
 
@@ -40,7 +40,7 @@ class PlaneOffset:
         slope.
     turn_level_95, turn_upright_95 : float, radians
     strays : int
-        Points of both clouds that were left out, being farther off than noise explains.
+        Number of excluded outliers of both clouds.
     """
 
     offset: float
@@ -114,7 +114,7 @@ class _Fit:
 
 
 def _fit(placed: Array) -> _Fit:
-    """Least squares through points (n, 3): u, v, z; strays left out.
+    """Least squares through points (n, 3): u, v, z; outliers excluded.
 
     Raises
     ------

@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 BINS = 12
 FEWEST = 30
-"""Distances in a bin below which its figures say nothing; it has none then."""
+"""Smallest number of distances in a bin for statistics."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -29,15 +29,15 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 WIDER = 1.3
-"""Ratio of the diameters that a surveyed point is looked at with, one after the other."""
+"""Ratio of the diameters that a surveyed point is examined with, one after the other."""
 SMOOTH = 2.0
 """Diameter of the sphere that a normal comes from, in diameters of the cylinder."""
 FLAT = 0.05
-"""RMS of a flat place about its plane, over the diameter of what is looked at."""
+"""RMS of a flat place about its plane, over the diameter of what is examined."""
 ROUND = 0.1
 """Second over first variance in the plane, below which points are an edge and no surface."""
 INSIDE = 0.15
-"""How far, in radii, the middle of what is looked at may lie from a place; it lies 0.17 from one
+"""How far, in radii, the middle of what is examined may lie from a place; it lies 0.17 from one
 whose cylinder, of half that radius, just reaches a straight edge."""
 FEWEST_ON_PLANE = 6
 """Points of a line about a surveyed point that make a plane with a confidence."""
@@ -219,7 +219,7 @@ def at_points(
     places, facing : ndarrays of shape (k, 3), metres, local frame
         The surveyed points, and where the vessel is from each.
     diameters : ndarray of shape (k,), metres
-        Of the place that is looked at first about each.
+        Of the place that is examined first about each.
 
     Raises
     ------
@@ -245,7 +245,7 @@ def _plane_before(
     """Distance, half its 95 % interval (metres) and normal of the line's plane at a point.
 
     Where the line's profiles are far apart its points about the place are but a row of them; then
-    it is looked at a wider place.
+    it is examined a wider place.
     """
     if not len(points):
         return None

@@ -134,7 +134,7 @@ class RepeatedCalibrations:
         Standard deviation of the calibrations about their plain mean: what a repetition differs by;
         None of a single one.
     statistic, probability : float
-        Whether they scatter as their sigmas say: chi-square with 3 (n - 1) degrees of freedom.
+        Whether the scatter agrees with the sigmas: chi-square with 3 (n - 1) degrees of freedom.
     """
 
     boresight: Array

@@ -1,4 +1,4 @@
-"""The figures a comparison of lines leaves behind: values that the project file can hold."""
+"""Results of a comparison of lines, as values for the project file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -46,14 +46,14 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 SIGMA = 0.005
-"""Metres, of a reference of which nothing else is stated."""
+"""Metres; default sigma of a reference."""
 REACH = 1.0
-"""Metres from the reference within which lines are looked for; at 50 m, 1.1 deg of boresight."""
+"""Metres from the reference within which lines are searched for; at 50 m, 1.1 deg of boresight."""
 PER_DIAMETER, PER_WIDTH = 4, 5
 """Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
 plane's shorter side."""
 FEWEST_PLACES = {"scan": 30, "points": 1}
-"""Places of a line below which nothing is said of it."""
+"""Smallest number of places of a line for a result."""
 
 
 def check_absolute(
@@ -83,7 +83,7 @@ def check_absolute(
         Of the reference: of a scan that which all its points share (registration and control), of
         a list that of each point it states none for.
     reach : float, metres
-        How far from the reference a line is looked for.
+        How far from the reference a line is searched for.
 
     Returns
     -------

@@ -47,7 +47,7 @@ class Row:
         ``doubtful`` where the report has a serious warning.
     boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
     sigma_0 : float or None, no unit
-        A posteriori: 1 where the errors are as stated.
+        A posteriori: 1 if the errors agree with the given sigmas.
     test_passed : bool or None
         Chi-square test of the variance factor.
     rms_before, rms_after : float or None, metres

@@ -40,7 +40,7 @@ SELECTION_SPACING = 0.1
 points where its far end has one, and these must not decide alone."""
 
 SETTLED = 0.1
-"""Share of its sigma by which an angle may move when no further selection is worth its time."""
+"""Change of an angle, as a share of its sigma, below which the selection is not repeated."""
 
 
 def observations_of(
@@ -157,7 +157,7 @@ def _require_two_lines(project: Project) -> None:
 
 
 def with_lidar_noise(observations: Observations, settings: Settings) -> Observations:
-    """The observations with the LiDAR noise that is stated, on each axis or along the beam."""
+    """The observations with the LiDAR noise that is given, on each axis or along the beam."""
     return replace(
         observations,
         sigma_lidar=_lidar_sigma(observations.points_lidar, settings),
@@ -260,7 +260,7 @@ def select(
         subsample=max(settings.subsample, SELECTION_SPACING),
         parameters=(),
     )
-    # Whether the geometry answers is judged by the times and surfaces that are stated.
+    # Whether the geometry answers is judged by the times and surfaces that are given.
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
     angles = prior.boresight
     for k in range(rounds):
@@ -273,7 +273,7 @@ def select(
                 count=rounds,
             ),
         )
-        # Points of another surface among the picks would be taken for POS errors by the correlated
+        # Points of another surface among the picks would be treated as POS errors by the correlated
         # model; this one leaves them to stand out.
         with _with_reasons(project, survey):
             thinned = observations_of(selected, survey, settings=coarse)
@@ -301,7 +301,7 @@ def solve(
     """Adjust the points of ``selected``, those of the sightings that ``project`` uses.
 
     Fast enough to follow a click: a target or line switched off needs no new selection. Without
-    ``advise`` nothing is said of a further line; that, and the cross-checks, `check` brings after.
+    ``advise`` no further line is recommended; `check` adds that, and the cross-checks.
     """
     settings, prior = project.settings, project.mounting("prior")
     with _with_reasons(project, survey):
@@ -329,7 +329,7 @@ def check(
     cross_check: bool = True,
     progress: Progress = no_progress,
 ) -> Project:
-    """A project with a result, and what was left out for haste: a further line, the cross-checks.
+    """Complete a result with the parts omitted for speed: a further line, the cross-checks.
 
     For what was solved without advice: a click is followed at once, and this comes after it. The
     result is the same but for the remark on a further line.

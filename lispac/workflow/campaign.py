@@ -26,12 +26,12 @@ keeps the others waiting for a fraction of the whole only."""
 
 
 def mapper_of(workers: int | None, cluster: ClusterAccess | None) -> AbstractContextManager[Mapper]:
-    """The mapper that a user asked for.
+    """The mapper selected by the user.
 
     Parameters
     ----------
     workers : int or None
-        Processes on this machine; all cores where nothing is said.
+        Processes on this machine; all cores by default.
     cluster : ClusterAccess or None
         Of a dask scheduler whose workers are to be used instead.
 

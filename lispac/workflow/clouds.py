@@ -42,10 +42,10 @@ class WrittenLine:
     points : int
         Written.
     outside, in_gaps : int
-        Left out, for want of a pose: outside the trajectory's time, or in a gap of it (or where
+        Excluded without a pose: outside the trajectory's time, or in a gap of it (or where
         it is too steep to be interpolated).
     excluded : int
-        Left out because they lie farther from the scanner than it measures, or in it.
+        Excluded because they are beyond the range of the scanner, or in it.
     remarks : tuple of Message
         What of the source is not kept, and assumptions.
     """

@@ -31,7 +31,7 @@ WORKERS = 15.0
 """Seconds that a worker may take to be there: one that was lost is started again by its nanny."""
 
 LOOK = 2.0
-"""Seconds without an answer after which it is asked whether there are workers at all."""
+"""Seconds without a result after which the number of workers is checked."""
 
 PATIENCE = 60.0
 """Seconds that may pass without any worker before the campaign ends."""
@@ -79,7 +79,7 @@ def cluster_of(access: ClusterAccess | str) -> Iterator[Mapper]:
 
 @contextmanager
 def _silence() -> Iterator[None]:
-    """What goes wrong is told by one sentence, not by the client's log."""
+    """Report errors as one message, not by the log of the client."""
     logs = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
     levels = [log.level for log in logs]
     for log in logs:
@@ -92,7 +92,7 @@ def _silence() -> Iterator[None]:
 
 
 def _greet(address: str, security: Any) -> None:
-    """Refuse what is no scheduler; a client would wait for ever for one that says nothing.
+    """Refuse an address without a scheduler; a client would wait for ever.
 
     Raises
     ------
@@ -204,7 +204,7 @@ class _Cluster:
                     raise self._gone()
 
     def _answer(self, sent: "_ChunkInProgress") -> list[Any] | None:
-        """What came back; None where the scheduler gave it up, and it is worth another try.
+        """Result of a task; None if the scheduler gave it up and it should be repeated.
 
         Raises
         ------
@@ -237,7 +237,7 @@ class _Cluster:
         return answer
 
     def _asked(self, ask: Callable[..., Any]) -> Any:
-        """What a future says that came back; where its worker took it along, it is done again.
+        """Result of a completed future; repeated if its worker was lost.
 
         Raises
         ------

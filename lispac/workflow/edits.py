@@ -45,7 +45,7 @@ def with_name(project: Project, old: str, new: str) -> Project:
     if any(target.name == new for target in project.targets if target.name != old):
         raise ProjectError(error("edit.name_taken", name=new, target=old))
     names = [target.name for target in project.targets]
-    # The edit itself tells which results no longer hold; only the order is put back.
+    # The edit determines which results are out of date; only the order is restored.
     edited = project.without_target(old).with_target(replace(project.target(old), name=new))
     by_name = {target.name: target for target in edited.targets}
     order = [new if name == old else name for name in names]

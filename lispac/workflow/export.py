@@ -75,7 +75,7 @@ def write_report(
     pictures : mapping of caption to PNG file, optional
     options : language (JSON stays English), page, convention and letterhead; see
         `lispac.workflow.report_options`
-    refused : why an estimate was refused that was asked for after that of the report; empty where
+    refused : why an estimate after that of the report was refused; empty where
         none was
     generated : the moment the report says it was made at; now, if not given
 
@@ -124,7 +124,7 @@ def preview_report(
     ppi: float = 96.0,
     progress: Progress = no_progress,
 ) -> "Preview":
-    """The report as `write_report` makes it, to be looked at: its pages, and its PDF.
+    """The report as `write_report` makes it, to be examined: its pages, and its PDF.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def preview_report(
 
 
 def save_preview(preview: "Preview", path: Path) -> None:
-    """Write the PDF of what was looked at.
+    """Write the PDF of what was examined.
 
     Raises
     ------

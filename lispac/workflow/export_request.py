@@ -70,13 +70,13 @@ def system_of(
 def export(
     project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
 ) -> tuple[list[Path], tuple[Message, ...]]:
-    """Write what is asked for.
+    """Write the selected data.
 
     Returns
     -------
     paths : list of Path
     notes : tuple of Message
-        What was left out, and assumptions.
+        Excluded data, and assumptions.
 
     Raises
     ------

@@ -59,7 +59,7 @@ class FileCheck:
 def looks(
     path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")
 ) -> list[FileCheck]:
-    """Look into a file as each format that it may be, the surest first.
+    """Examine a file as each possible format, the most likely first.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def _look(path: Path, format: Format, sure: float) -> FileCheck:
 
 
 def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
-    """Look into a file with the options that the user gives.
+    """Examine a file with the options that the user gives.
 
     There is no warning about a missing coordinate system where one is given, and a warning where
     the one given is not used.
@@ -93,7 +93,7 @@ def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
     Raises
     ------
     InputError
-        As the format's own look.
+        As the format's own examination.
     """
     finding = format.look(path, stated)
     crs = str(stated.get("crs", ""))
@@ -109,7 +109,7 @@ def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
 
 
 def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
-    """Settle how a file is read: what was given, the rest as found in it.
+    """Determine the reading options of a file: given ones, and others detected in it.
 
     Returns
     -------
@@ -151,7 +151,7 @@ READ_AS = "import.read_as"
 def usual_or_settled(
     path: Path, kind: Kind, given: Reading, *, columns: bool = False
 ) -> tuple[Reading, tuple[Message, ...]]:
-    """As `settled`, but the program's own way where the file agrees with it.
+    """As `settled`, but the default options if the file agrees with them.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def usual_or_settled(
         if not found or found[0][0].key == "text":
             return given, ()
     if not given.format and not given.options and not recognised(path, kind):
-        return given, ()  # the usual reader says best what is wrong with a damaged file
+        return given, ()  # the usual reader gives the best message for a damaged file
     reading, messages = settled(path, kind, given)
     usual = USUAL[kind]
     own = reading.format == usual and not given.format and not given.options
@@ -178,7 +178,7 @@ def usual_or_settled(
 
 
 USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
-"""Formats that the program reads in a way of its own where nothing else is settled."""
+"""Formats with default options of the program."""
 
 BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
 """Options that change nothing of how points in the LiDAR frame, or poses, are read: what follows
@@ -194,7 +194,7 @@ def _agrees(reading: Reading, key: str) -> bool:
 
 
 def read_trajectory(path: Path, reading: Reading) -> Trajectory:
-    """Read a trajectory; SBET in Applanix's convention where nothing else was settled.
+    """Read a trajectory; SBET in the Applanix convention by default.
 
     Raises
     ------
@@ -228,7 +228,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, 
 
 
 def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
-    """Read a trajectory's accuracies; smrmsg where nothing else was settled.
+    """Read a trajectory's accuracies; smrmsg by default.
 
     Raises
     ------

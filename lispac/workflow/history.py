@@ -1,4 +1,4 @@
-"""The calibrations of a vessel's system over the years, from the projects that hold them."""
+"""Calibrations of a vessel's system over the years, from projects."""
 
 import os
 import re
@@ -26,7 +26,7 @@ from lispac.workflow.survey_dates import survey_dates
 
 _DAY = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
 SYSTEM = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
-"""Fields of the identity that tell one system from another."""
+"""Fields of the identity that distinguish systems."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class Entry:
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """The calibrations of one system, the earliest first, and what there is to say of them."""
+    """The calibrations of one system, the earliest first, with remarks."""
 
     system: System
     entries: tuple[Entry, ...]
@@ -132,7 +132,7 @@ def histories(
     Returns
     -------
     histories : those with most calibrations first
-    remarks : what was left out, and why
+    remarks : excluded calibrations, with the reason
 
     Raises
     ------
@@ -227,7 +227,7 @@ def _history(group: Sequence[tuple[date, Project]]) -> History:
 def _once(
     group: Sequence[tuple[date, Project]],
 ) -> tuple[list[tuple[date, Project]], list[Message]]:
-    """Each survey once: a second project on the same lines tells nothing new of the mounting."""
+    """Each survey once: a second project on the same lines adds no information."""
     kept: list[tuple[date, Project]] = []
     remarks = []
     for day, project in group:
@@ -252,7 +252,7 @@ def day_in(text: str) -> date | None:
 
 
 def _day_of(project: Project) -> date | None:
-    """First day of the survey: as it is stated, or else by the times of the lines."""
+    """First day of the survey: as given, or else from the times of the lines."""
     return day_in(project.identity.dates or survey_dates(project))
 
 

@@ -50,7 +50,7 @@ class Imported:
     seconds : float
         That the import took; 0 where the line was imported already.
     reason : Message or None
-        That it was imported again without being asked for, and why.
+        Note that it was imported again automatically, with the reason.
     """
 
     stored: StoredLine
@@ -163,7 +163,7 @@ def import_line(
 
 
 def _keep_header(line: LineSource, columns: Path) -> None:
-    """Keep what a LAS file says besides its points, for a cloud made when it is gone."""
+    """Keep the header and records of a LAS file, for export when the file is missing."""
     if line.reading.format == "las" or (not line.reading.format and is_las(line.path)):
         write_header_alone(line.path, columns / HEADER)
         (columns / HEADER_SUM).write_text(f"{checksum_of(columns / HEADER):08x}\n", "ascii")
@@ -215,7 +215,7 @@ def stored_line(
     *,
     progress: Progress = no_progress,
 ) -> StoredLine:
-    """Open an imported line that is still what the project says.
+    """Open an imported line that still agrees with the project.
 
     Raises
     ------

@@ -111,7 +111,7 @@ class Intake:
     # -- edits -------------------------------------------------------------------------------
 
     def with_files(self, paths: Iterable[Path]) -> "Intake":
-        """Add files that are not in the list yet; they wait to be looked into."""
+        """Add files that are not in the list yet; they wait to be examined."""
         known = {entry.path for entry in self.entries}
         new = tuple(Entry(path) for path in paths if path not in known)
         return replace(self, entries=self.entries + new)
@@ -127,7 +127,7 @@ class Intake:
         return replace(self, entries=with_stated_shifts(entries))
 
     def with_role(self, path: Path, role: Kind | None) -> "Intake":
-        """Give a file another role, in the surest format of it; it has to be looked into again."""
+        """Give a file another role, in the surest format of it; it has to be examined again."""
         entry = self.entry(path)
         if role == entry.role or entry.given is not None:
             return self
@@ -136,7 +136,7 @@ class Intake:
         return self.with_entry(replace(changed, pending=role is not None, content=None))
 
     def with_format(self, path: Path, key: str) -> "Intake":
-        """Read a file in another format; it has to be looked into again."""
+        """Read a file in another format; it has to be examined again."""
         entry = self.entry(path)
         chosen = next(format for format in entry.formats if format.key == key)
         return self.with_entry(
@@ -144,13 +144,13 @@ class Intake:
         )
 
     def with_option(self, path: Path, name: str, value: str) -> "Intake":
-        """State an option; the file has to be looked into again."""
+        """Set an option; the file must be examined again."""
         entry = self.entry(path)
         stated = dict(entry.stated or {}) | {name: value}
         return self.with_entry(replace(entry, stated=stated, pending=True))
 
     def with_column(self, path: Path, column: int, meaning: str) -> "Intake":
-        """Say what a column is; the file has to be looked into again."""
+        """Set the meaning of a column; the file must be examined again."""
         entry = self.entry(path)
         tokens = with_meaning(entry.columns, column, meaning)
         changed = self.with_option(path, "columns", " ".join(tokens))
@@ -191,7 +191,7 @@ class Intake:
         return changed
 
     def sorted_out(self, path: Path) -> "Intake":
-        """Settle what a file is where others tell.
+        """Determine the role of a file from the other files.
 
         Text that may be a trajectory is a line beside one that certainly is.
         """
@@ -247,7 +247,7 @@ class Intake:
 
     @property
     def time_base(self) -> TimeBase | None:
-        """The trajectory's, as stated or taken; None where its options do not say."""
+        """Time base of the trajectory, given or assumed; None if its options have none."""
         if self._base.base is not None:
             return self._base.base
         return next(iter(plausible(self.track.time)), None) if self.track is not None else None

@@ -37,7 +37,7 @@ _WORDS = {
 
 
 def has_columns(format: Format) -> bool:
-    """Whether the user may say what each column is."""
+    """Whether the user may set the meaning of each column."""
     return any(option.name == "columns" for option in format.options)
 
 
@@ -100,7 +100,7 @@ _NAMES = {
 
 
 def names_its_columns(look: FileCheck) -> bool:
-    """Whether the file itself says what its columns are."""
+    """Whether the file names its columns."""
     if look.finding is None:
         return False
     if look.format.kind == "points":

@@ -65,12 +65,12 @@ class Entry:
     ----------
     looks : tuple of FileCheck
         What each format that knows the file finds in it, the surest first; empty before the file
-        was looked into and where no format knows it.
+        was examined and where no format knows it.
     role : {"trajectory", "accuracy", "points"} or None
         None leaves the file out.
     format : Format or None
     stated : mapping of str to str
-        Options that the user has stated.
+        Options given by the user.
     finding : Finding or None
         With these options; the last one that could be made where they do not fit the file.
     content : Trajectory, TrajectoryAccuracy, LineTimes or None
@@ -79,7 +79,7 @@ class Entry:
     shift : float, seconds
         Added to the times of a line.
     follows : bool
-        Whether the shift is the one that follows from stated time bases.
+        Whether the shift is the one that follows from given time bases.
     place : Place or None
         Of a georeferenced line.
     remembered : bool
@@ -121,7 +121,7 @@ class Entry:
 
     @property
     def options(self) -> dict[str, str]:
-        """All options as they stand: stated, else found, else by default."""
+        """All current options: given, else detected, else default."""
         if self.format is None:
             return {}
         found = {} if self.finding is None else dict(self.finding.choice)
@@ -139,7 +139,7 @@ class Entry:
 
     @property
     def reading(self) -> Reading:
-        """How the file is read, for the project: what was stated, with the rest to be found."""
+        """Reading options for the project: given ones; the others are detected."""
         stated = {} if self.stated is None else dict(self.stated)
         if self.format is None or (not stated and self.format in self.formats[:1]):
             return Reading("", (), self.shift)
@@ -166,7 +166,7 @@ class Entry:
 def examined(
     path: Path, mappings: Mapping[str, str] | None = None, *, progress: Progress = no_progress
 ) -> Entry:
-    """Look into a file for the first time.
+    """Examine a file for the first time.
 
     Parameters
     ----------
@@ -202,7 +202,7 @@ def examined(
 
 
 def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entry:
-    """Look for the first time into a file that an open project has, as that reads it."""
+    """First examination of a file of an open project, with its reading options."""
     progress(0.0, gettext_lazy("Examining {file}", file=entry.path.name))
     assert entry.role is not None
     assert entry.given is not None
@@ -218,7 +218,7 @@ def examined_as_given(entry: Entry, *, progress: Progress = no_progress) -> Entr
 
 
 def examined_again(entry: Entry, *, progress: Progress = no_progress) -> Entry:
-    """Look into a file with the role, format and options that the entry has now.
+    """Examine a file with the role, format and options that the entry has now.
 
     Raises
     ------

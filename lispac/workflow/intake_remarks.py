@@ -70,7 +70,7 @@ ABOUT_COLUMNS = {
     "text.columns_not_named", "trajectory.columns_missing", "trajectory.position_missing",
     "trajectory.no_columns", COLUMNS_ASSUMED,
 }  # fmt: skip
-"""Codes of warnings that say nothing more where an error asks for the columns."""
+"""Codes of warnings that are redundant if an error requests the columns."""
 
 
 def option_to_choose(action: Action) -> str:
@@ -140,7 +140,7 @@ def remarks_of(
 
 
 def note_of(message: Message) -> Message:
-    """A message about a file that is left out, as a note."""
+    """A note about an excluded file."""
     return replace(message, level=Level.NOTE)
 
 
@@ -193,7 +193,7 @@ def _own(entry: Entry, longest_gap: float) -> list[Message]:
 
 
 def _is_superseded(entry: Entry, doubt: Message) -> bool:
-    """Whether another message about the file says the same with more knowledge."""
+    """Whether another message about the file is the same with more detail."""
     if doubt.code == GAPS and isinstance(entry.content, Trajectory):
         return True  # the reader does not know which gaps are to be bridged
     if entry.error is None:

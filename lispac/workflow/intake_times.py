@@ -1,4 +1,4 @@
-"""How a line's times on their way in go with the trajectory's: stated, fitting, offered."""
+"""Time base of a line relative to the trajectory during import: given, fitting or proposed."""
 
 from dataclasses import replace
 
@@ -11,7 +11,7 @@ from lispac.survey.trajectory import Trajectory
 from lispac.workflow.intake_entry import Entry
 
 SHARE_NEEDED = 0.5
-"""Part of a line's points that a shift has to bring inside before it is offered."""
+"""Share of a line's points that a shift must bring inside to be proposed."""
 
 
 def line_base(entry: Entry) -> KnownTimeBase:
@@ -29,7 +29,7 @@ def trajectory_base(entry: Entry | None) -> KnownTimeBase:
         return KnownTimeBase()
     stated = bool((entry.stated or {}).get("time", ""))
     if entry.given is not None:
-        # A project keeps what was found beside what was stated.
+        # A project keeps what was found beside what was given.
         look = next((look for look in entry.looks if look.format is entry.format), None)
         found = look.finding.choice if look is not None and look.finding is not None else {}
         stated = stated and key != found.get("time", key)
@@ -38,7 +38,7 @@ def trajectory_base(entry: Entry | None) -> KnownTimeBase:
 
 
 def with_stated_shifts(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
-    """Give lines the shift that follows from stated time bases, and take back what no longer does.
+    """Set the shift of lines from the given time bases, and remove obsolete ones.
 
     As `stated_times` does it when the project is made.
     """
@@ -59,7 +59,7 @@ def with_stated_shifts(entries: tuple[Entry, ...]) -> tuple[Entry, ...]:
 
 
 def line_coverage(entry: Entry, trajectory: Trajectory, longest_gap: float) -> Coverage | None:
-    """How the trajectory covers what was looked at of a line, its shift applied."""
+    """How the trajectory covers what was examined of a line, its shift applied."""
     if not isinstance(entry.content, LineTimes):
         return None
     return coverage(entry.content.sample + entry.shift, trajectory.time, longest_gap)
@@ -68,9 +68,9 @@ def line_coverage(entry: Entry, trajectory: Trajectory, longest_gap: float) -> C
 def offered_shift(
     entry: Entry, track: Trajectory, longest_gap: float, base: TimeBase | None
 ) -> Match | None:
-    """The shift to be offered for a line: where no point lies inside, or clearly more would.
+    """The shift to propose for a line, if no point lies inside or many more would.
 
-    Never besides what is stated.
+    Never besides what is given.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ class Chunks:
     line : LineSource
     format : Format
     choice : mapping
-        How the file is read, settled.
+        Complete reading options of the file.
     system : CoordinateSystem or None
         Of a cloud that is georeferenced already; None for points in the LiDAR frame.
     """
@@ -50,7 +50,7 @@ class Chunks:
         yield from screened(chunks, self.choice, self.line.path)
 
     def pattern(self, first: PointChunk) -> Pattern:
-        """What the records of its cloud look like."""
+        """Layout of the records of its cloud."""
         if self.format.key == "las" and self.line.path.exists():
             return pattern_of_las(self.line.path)
         return pattern_of_columns(first, standard_time=self.choice["time_base"] == "gps-adjusted")

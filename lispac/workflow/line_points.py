@@ -36,7 +36,7 @@ from lispac.workflow.offers import gain_note, outside
 Array = NDArray[np.float64]
 
 TIMES_KEPT = 100
-"""Times of each chunk that are kept to say what they look like."""
+"""Times of each chunk that are kept to examine them."""
 SAMPLE_OF_CHUNK, MOST_SAMPLES = 4000, 50
 """Points of a chunk, and chunks, that are kept to check how a georeferenced line is recovered."""
 FEW_COPIES = 0.01
@@ -193,7 +193,7 @@ class LinePoints:
         if self.recovery is None or not self._samples:
             return ()
         if has_several_scanners(self.audit):
-            return self._recorded  # one mounting does not fit them; the audit says so
+            return self._recorded  # one mounting does not fit them; the audit reports this
         whole = Sample.joined(self._samples)
         return (*self._recorded, *recovery_messages(self.line.name, whole, self.recovery))
 

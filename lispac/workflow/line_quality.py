@@ -29,12 +29,12 @@ REACH = 1.0
 """Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
 by half a metre."""
 FEWEST = 10
-"""Places below which a figure says nothing."""
+"""Smallest number of places for a figure."""
 
 
 @dataclass(frozen=True)
 class Figures:
-    """What is said of some places.
+    """Statistics of some places.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The files of a project that was moved: found beside it, or where its user says they are now.
+"""Files of a moved project: found beside it, or at a place given by the user.
 
 A project points at its files from its own folder. Where only one of both is moved, to another disk
 or computer, the files are sought by the ends of their paths: what lay in ``raw/line1.laz`` is the
@@ -60,7 +60,7 @@ def with_files_in(project: Project, folder: Path) -> Project:
 
 
 def with_files_beside(project: Project) -> tuple[Project, tuple[Message, ...]]:
-    """Point a project at missing files that are in its folder or beside it, and say which."""
+    """Point a project at missing files in its folder or beside it, and return which."""
     found: dict[Path, Path] = {}
     for path in missing(project):
         for place in (project.folder, project.folder.parent):

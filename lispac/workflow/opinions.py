@@ -1,4 +1,4 @@
-"""Asking other methods: the answers that a project's targets take no part in."""
+"""Alternative methods: results that do not use the targets of a project."""
 
 from dataclasses import replace
 
@@ -42,17 +42,17 @@ def natural_planes(
 
 
 def of_the_scene(found: Targetless) -> Opinion:
-    """What a targetless adjustment says, without its surfaces."""
+    """Result of a targetless adjustment, without its surfaces."""
     return _opinion("targetless", found.project, found.remarks)
 
 
 def of_the_patch_test(found: PatchTest) -> Opinion:
-    """What a patch test says, without its objects.
+    """Result of a patch test, without its objects.
 
     Raises
     ------
     AdjustmentError
-        Where it has no sigma: nothing could be said of how it differs from another answer.
+        If it has no sigma: it could not be compared with another result.
     """
     if found.covariance is None:
         raise AdjustmentError(error("estimate.patch_test_without_sigma"))
@@ -69,7 +69,7 @@ def of_the_patch_test(found: PatchTest) -> Opinion:
 def ask(
     project: Project, survey: Survey, method: Method, *, progress: Progress = no_progress
 ) -> Opinion:
-    """Ask a method; for the patch test objects are looked for.
+    """Run a method; for the patch test, objects are searched for.
 
     Raises
     ------
@@ -91,7 +91,7 @@ def ask_missing(
 ) -> tuple[Project, dict[str, Message]]:
     """The project with the answers of all methods; and why some have none, by method.
 
-    Those that have been asked before are not asked again.
+    Methods with a result are not run again.
     """
     found, wanted = project, missing(project)
     refused: dict[str, Message] = {}

@@ -10,7 +10,7 @@ from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
 LOOKED_AT = 500
-"""Points of a target that tell which way it faces."""
+"""Points of a target used for its orientation."""
 
 
 def face_one_way(project: Project, survey: Survey) -> bool:
@@ -34,5 +34,5 @@ def face_one_way(project: Project, survey: Survey) -> bool:
         try:
             normals.append(fit_plane(cloud[few]).normal)
         except PlaneNotFound:
-            return False  # its quality says so
+            return False  # its quality shows this
     return one_facing(np.array(normals), np.zeros(len(normals), dtype=bool))

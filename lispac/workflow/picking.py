@@ -46,7 +46,7 @@ def find(
     sphere_radius : float, metres, optional
         Of a sphere, where it is known.
     line : str, optional
-        Seek in this line only; the other sightings of a target of that name are kept.
+        Search in this line only; the other sightings of a target of that name are kept.
     first_line : str, optional
         The line the seed was clicked on, where that is known.
     threshold : float, metres, optional

@@ -1,4 +1,4 @@
-"""A plan sailed in the simulator: what it promises can be tried before anybody sails it."""
+"""Simulation of a survey plan, to check its predicted sigmas before the survey."""
 
 from collections.abc import Mapping
 from dataclasses import replace

@@ -107,10 +107,10 @@ def new_project(
     split_by: str = "",
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
-    """Read the survey first, so that what cannot be used is said now, then make its project.
+    """Read the survey first, so that unusable files are reported, then create its project.
 
-    How each file is read is settled here, from what is given and what its format finds in it;
-    the survey's notes say what was found.
+    The reading options are completed here, from given and detected values;
+    the survey's notes list what was detected.
 
     Parameters
     ----------
@@ -170,7 +170,7 @@ def settled_readings(
     Raises
     ------
     InputError
-        Where a file cannot be read, or is not what is stated.
+        Where a file cannot be read, or is not what is given.
     """
     track_stated = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_settled(trajectory, "trajectory", trajectory_reading)
@@ -191,7 +191,7 @@ def with_lines_added(
 ) -> tuple[Project, Survey]:
     """Add lines to a project and read its survey with them; what is picked and computed stays.
 
-    How each file is read is settled as in `new_project`. The project on disk is not changed.
+    The reading options are completed as in `new_project`. The project on disk is not changed.
 
     Raises
     ------
@@ -296,7 +296,7 @@ def project_to_change(
 
 
 def opened_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]:
-    """Open a project as `open_project` does, and say which files were found elsewhere.
+    """Open a project as `open_project` does, and return the files found elsewhere.
 
     Raises
     ------

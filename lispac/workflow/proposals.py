@@ -344,7 +344,7 @@ def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, floa
     """By how much the planes that lines show of one surface differ within it, metres, rms.
 
     A board is the same from everywhere. A tarpaulin or a bonnet shows each line another part of
-    itself, or is no plane at all, and that is the most it can tell the adjustment.
+    itself, or is no plane at all, which limits its information for the adjustment.
     """
     uneven: dict[str, float] = {}
     for target in project.targets:
@@ -359,7 +359,7 @@ def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, floa
 
 
 def _with_unevenness(linearised: Linearised, uneven: dict[str, float]) -> Linearised:
-    """The same with no surface said to be evener than it is."""
+    """The same with realistic form errors of all surfaces."""
     problem = linearised.problem
     if not problem.model.correlated:
         return linearised

@@ -37,7 +37,7 @@ Key = tuple[str, str]
 STEP = 1e-5
 """Radians by which the boresight is turned to see how points move."""
 LOOKED_AT = 50_000
-"""Points about a sighting among which surfaces like it are sought."""
+"""Points about a sighting among which surfaces like it are searched for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ def judge(
     known: Mapping[Key, AssessedQuality] | None = None,
     progress: Progress = no_progress,
 ) -> dict[Key, AssessedQuality]:
-    """Judge every sighting of a project; what is ``known`` and still holds is taken over.
+    """Rate every sighting of a project; ``known`` ratings that are still valid are reused.
 
     Before the calibration the points are those that were picked, and what an error of the rough
     boresight can explain in them does not count. After it they are selected once more in the lines
@@ -153,7 +153,7 @@ class _Placing:
     def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_Placing":
         """With the estimated mounting or the rough one."""
         mounting = project.mounting("estimated") if estimated else survey.aligned.mounting
-        # A range offset has nothing to say about where the scanner was.
+        # A range offset does not affect the position of the scanner.
         scanner = replace(mounting, range_offset=0.0, scan_angle_offset=0.0)
         turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
         return cls(
@@ -206,7 +206,7 @@ def _of_target(
 
 
 def _mistakable(target: Target, survey: Survey, sighting: PickedSighting) -> tuple[Message, ...]:
-    """The note that another surface could be taken for the target's, where there is one."""
+    """Note that another surface could be confused with the target, if there is one."""
     cloud = survey.aligned.clouds[sighting.line]
     points = cloud[sighting.indices]
     try:
@@ -278,7 +278,7 @@ def _quality(
 
 
 def unexpected(target: Target, survey: Survey) -> dict[str, tuple[Message, ...]]:
-    """How each sighting of a target differs from what is expected of it, in words, by line."""
+    """Text on the difference of each sighting from the expected target, by line."""
     said: dict[str, tuple[Message, ...]] = {}
     for sighting in target.sightings if target.expected is not None else ():
         assert target.expected is not None

@@ -33,7 +33,7 @@ MOST_POINTS = 2_000_000
 LARGEST_SIGMA = 0.2
 """Metres; of a surveyed point, a larger one is rather one in millimetres."""
 LEAST_CELL = 1.0
-"""Metres: side of the cells that tell what part of a scan the lines have seen."""
+"""Metres: side of the cells that mark the part of a scan covered by the lines."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +88,7 @@ class Reference:
     size_bytes : int, sha256 : str
     kind : {"scan", "points"}
     system : str
-        In words.
+        As text.
     sigma : float, metres
         Of a scan, which all its points share; the usual one of points.
     notes : tuple of Message or str

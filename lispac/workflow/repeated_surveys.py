@@ -20,7 +20,7 @@ class ComparedProjects:
     ----------
     each : the earliest first
     counted : those that count where all are put together, each survey once
-    remarks : what there is to say of comparing them
+    remarks : on the comparison
     """
 
     each: tuple[Calibration, ...]
@@ -29,7 +29,7 @@ class ComparedProjects:
 
 
 def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
-    """The calibration of each project, and what there is to say of comparing them.
+    """The calibration of each project, with remarks on the comparison.
 
     Parameters
     ----------

@@ -35,13 +35,13 @@ class Replay:
     Attributes
     ----------
     planned : ndarray of shape (3,), radians
-        Sigmas foretold for the whole plan.
+        Predicted sigmas of the whole plan.
     sailed : ndarray of shape (3,), radians
-        Foretold for what of it was done.
+        Predicted sigmas of the lines as sailed.
     as_flat : ndarray of shape (3,), radians
         The same with the targets as flat as the survey found them.
     obtained : ndarray of shape (3,), radians
-        Stated by the adjustment.
+        From the adjustment.
     flatness : tuple of float, metres
         Of the targets, as planned and as found.
     missing_targets : tuple of str
@@ -94,10 +94,10 @@ class Replay:
 
 
 def replay(project: Project, survey: Survey, titled: TitledPlan) -> Replay:
-    """Compare what a survey gave with what its plan promised.
+    """Compare the sigmas of a survey with those predicted from its plan.
 
     Targets are those of the same name. Of the lines of the same heading each planned one is that
-    whose targets were measured at the distance nearest to the planned; what was sailed is foretold
+    whose targets were measured at the distance nearest to the planned; sailed lines are predicted
     with the distances that were sailed.
 
     Raises

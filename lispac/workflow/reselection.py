@@ -28,7 +28,7 @@ the motion of the vessel, and that stays."""
 
 
 def reselect(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Project:
-    """Seek every target that takes part once more, in lines placed with the estimated boresight.
+    """Search again for every used target, in lines placed with the estimated boresight.
 
     A sighting that is not found again keeps its points, and so does one that was edited by hand. No
     sighting is added: which lines a
@@ -56,7 +56,7 @@ def selected_again(
     *,
     narrowed: float = NARROWED,
 ) -> Target:
-    """The used sightings of a target, sought in lines that are placed otherwise now.
+    """The used sightings of a target, searched for in lines with another boresight.
 
     Parameters
     ----------

@@ -21,12 +21,12 @@ farther from."""
 def lines_counted_on(
     lines: Sequence[LineSource],
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
-    """Settle for lines whether their times start again, by the times.
+    """Determine from the times of lines whether they have a time rollover.
 
     Returns
     -------
     lines : tuple of LineSource
-        Those whose times start again with the option that says so.
+        Lines with a time rollover, with the option for it.
     notes : tuple of Message
 
     Raises
@@ -54,7 +54,7 @@ def lines_counted_on(
 
 
 def _near(format: Format, choice: Choice, line: LineSource) -> bool:
-    """Whether the first points are near enough to a start to be worth a look at the others."""
+    """Whether the first points are near enough to a rollover to examine the others."""
     chunks = format.read(line.path, choice)
     assert isinstance(chunks, Iterator)
     first = next(chunks, None)

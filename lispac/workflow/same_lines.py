@@ -23,7 +23,7 @@ def shared_lines(first: Project, second: Project) -> list[str]:
 
 
 def same_lines(first: Project, second: Project) -> bool:
-    """Whether all lines of the second are the first's: it tells nothing new of the mounting."""
+    """Whether all lines of the second are those of the first: it adds no information."""
     return len(shared_lines(first, second)) == len(second.lines)
 
 

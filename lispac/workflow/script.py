@@ -1,7 +1,7 @@
 """The script that makes a project from its raw files: the steps of the window as Python.
 
 It follows from the project alone, so undo takes steps out of it, and a project made elsewhere has
-one too. What it says is tried here: whether seeds lead to the project's points, and an adjustment
+one too. The script is tested here: whether seeds lead to the project's points, and an adjustment
 to its angles.
 """
 
@@ -146,9 +146,9 @@ def _new(project: Project, files: Files, *, settled: bool) -> str:
 
 
 def _found_again(project: Project, survey: Survey) -> bool:
-    """Whether looking into the files gives the project's readings, and notes the survey has.
+    """Whether the examination of the files gives the project's readings, and notes.
 
-    So it is with a project that was just made; one that was opened does not tell these notes.
+    This applies to a project that was just created; an opened one does not show these notes.
     """
     stated = project.lines, project.trajectory_reading, project.accuracy_reading
     try:
@@ -187,7 +187,7 @@ def _compared(project: Project) -> Iterator[str]:
 
 
 def _other_angles(project: Project, survey: Survey, progress: Progress) -> list[Message]:
-    """What there is to say where the steps lead to other angles than the project has."""
+    """Remark on steps that give other angles than those of the project."""
     assert project.result is not None
     try:
         again = estimate(project, survey, cross_check=False, progress=progress).result

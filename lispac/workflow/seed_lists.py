@@ -25,7 +25,7 @@ PLANE = {"shape": "plane", "sphere_radius": None, "expected": None}
 
 @dataclass(frozen=True)
 class ListedSeed:
-    """A target that is to be sought.
+    """A target to search for.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ def read_seeds(
     columns: Sequence[str] = (),
     role: Role | None = None,
 ) -> SeedList:
-    """Read a list of target coordinates and say what would be sought.
+    """Read a list of target coordinates and return the targets to search for.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def read_seeds(
     columns : sequence of str
         As `lispac.io.seed_file.read_point_list`.
     role : {"target", "validation"}, optional
-        Of points whose role the list does not say; otherwise by their name: what begins with V is a
+        Of points without a role in the list; by default from their name: what begins with V is a
         validation plane.
 
     Raises
@@ -156,7 +156,7 @@ def pick_seeds(
     ------
     InputError
     ProjectError
-        Where one cannot be sought at all; then none is picked.
+        Where one cannot be searched for at all; then none is picked.
     """
     outcomes = []
     for k, seed in enumerate(seeds):

@@ -100,7 +100,7 @@ class Library:
         Raises
         ------
         InputError
-            Where there is none, or the solution is not stated and there are several.
+            Where there is none, or the solution is not given and there are several.
         """
         name, _, solution = word.partition(":")
         figures = _named("sensor.no_pos", self.pos, name).figures
@@ -166,7 +166,7 @@ def _named(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
 
 
 def keep(folder: Path, figures: Figures, name: str = "") -> str:
-    """Write a sensor of the user's into the library, and say what it is called.
+    """Write a user-defined sensor into the library, and return its name.
 
     Parameters
     ----------

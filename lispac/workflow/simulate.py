@@ -242,7 +242,7 @@ def triple(values: np.ndarray) -> Triple:
 
 
 def _settings(simulation: Simulation) -> Settings:
-    """What the surveyor states: lever arm as written down, no boresight, data sheets."""
+    """Values given by the surveyor: nominal lever arm, no boresight, data sheets."""
     latitude, longitude, height = simulation.setup.origin
     scanner = simulation.setup.scanner
     beam = (scanner.range_sigma, float(np.degrees(scanner.angle_sigma)))

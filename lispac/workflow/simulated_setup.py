@@ -75,7 +75,7 @@ def simulation(
         A name that comes with the program, or a file; vessel and scanner as the scene says where
         they are not given.
     trajectory : Path, optional
-        SBET that is taken for the truth, instead of the scene's own.
+        SBET used as the truth, instead of that of the scene.
     points_per_second : float, optional
         Pulses per second of the scanner, instead of its own or the scene's.
     errors : mapping, optional

@@ -1,4 +1,4 @@
-"""Lines brought into the trajectory's time base, as the stated time bases ask."""
+"""Conversion of lines to the time base of the trajectory, from the given time bases."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -41,7 +41,7 @@ def known_base(
     Raises
     ------
     InputError
-        Where the file cannot be looked into.
+        Where the file cannot be examined.
     """
     given = str(choice.get(option, ""))
     if not given:
@@ -57,7 +57,7 @@ def states_time(trajectory: Path, reading: Reading) -> bool:
     Raises
     ------
     InputError
-        Where the file cannot be looked into.
+        Where the file cannot be examined.
     """
     kept = dict(reading.options)
     stated = kept.pop("time", "")
@@ -76,16 +76,16 @@ def lines_in_trajectory_time(
     *,
     trajectory_stated: bool,
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
-    """Give lines the time shift that follows from what is stated of the time bases.
+    """Give lines the time shift that follows from what is given of the time bases.
 
     Parameters
     ----------
     lines : sequence of LineSource
-        As they are settled to be read.
+        Complete reading options.
     stated : sequence of Reading
-        What the user says of each.
+        Given by the user for each.
     trajectory_reading : Reading
-        As it is settled.
+        Complete reading options.
     trajectory_stated : bool
         Whether the user states the trajectory's base.
 
@@ -98,7 +98,7 @@ def lines_in_trajectory_time(
     Raises
     ------
     InputError
-        Where the times cannot be what is stated, or a shift is given besides that differs from
+        Where the times cannot be what is given, or a shift is given besides that differs from
         the one that follows.
     """
     bases = [dict(reading.options).get("time_base", "") for reading in stated]

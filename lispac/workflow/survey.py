@@ -50,9 +50,9 @@ whenever the project is opened, with 64 bytes a point."""
 RUNS, RUN = 64, 16
 """Places of a line, and neighbouring points at each, whose times are compared with the states."""
 AUDIT_TIMES = 1001
-"""Times of a line at which the motion of the vessel is taken for the audit."""
+"""Times of a line at which the motion of the vessel is evaluated for the audit."""
 TEXT_POINT = 40
-"""Bytes that a point takes in a file that does not say how many there are, about."""
+"""Approximate bytes of a point in a file without a point count."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +105,7 @@ class Survey:
 
     @cached_property
     def aligned(self) -> Alignment:
-        """The lines where targets are sought; worked out when first asked for, in some seconds."""
+        """The lines where targets are searched for; worked out on first use, in some seconds."""
         return align(self.clouds)
 
     def with_prior(self, mounting: Mounting) -> "Survey":
@@ -187,7 +187,7 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
 
 
 def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:
-    """Whether a stored line has points that its import would have left out."""
+    """Whether a stored line has points that its import would have excluded."""
     if not isinstance(scan, StoredLine):
         return ()
     limit = most_range(dict(line.reading.options).get("max_range", ""))
@@ -308,7 +308,7 @@ def _belongs_on_disk(project: Project, line: LineSource) -> bool:
 
 
 def _points_of(path: Path) -> int:
-    """About how many points a line has; its reader says what is wrong with it."""
+    """Approximate number of points of a line; its reader reports errors."""
     if is_las(path):
         try:
             return point_count(path)
@@ -355,6 +355,6 @@ def _some_times(scan: Line) -> NDArray[np.float64]:
 
 
 def _median_heading(trajectory: LocalTrajectory, scan: Line) -> float:
-    # A few hundred states tell the course of a line.
+    # A few hundred states determine the course of a line.
     times = np.linspace(scan.first_time, scan.last_time, 201)
     return float(np.median(trajectory.at(times).attitude[:, 2]))

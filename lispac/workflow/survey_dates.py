@@ -1,4 +1,4 @@
-"""The days of a survey, where the times of its lines tell them."""
+"""Dates of a survey from the times of its lines, if these contain the date."""
 
 from datetime import UTC, datetime
 
@@ -18,12 +18,12 @@ from lispac.workflow.survey import Survey
 
 
 def survey_dates(project: Project, survey: Survey | None = None) -> str:
-    """First and last day (UTC) of the lines, as text; empty where not all of their times tell it.
+    """First and last day (UTC) of the lines, as text; empty if not all of their times contain it.
 
     Parameters
     ----------
     survey : Survey, optional
-        Where it is at hand, its times are taken; else the files are looked into, long ones here
+        Where it is at hand, its times are taken; else the files are examined, long ones here
         and there.
     """
     days: set[str] = set()
@@ -31,7 +31,7 @@ def survey_dates(project: Project, survey: Survey | None = None) -> str:
         try:
             found = _days(project, line, survey)
         except (LispacError, OSError):
-            return ""  # it is an offer; what keeps a file from being read is said elsewhere
+            return ""  # it is a proposal; reading errors are reported elsewhere
         if not found:
             return ""
         days |= found
@@ -39,7 +39,7 @@ def survey_dates(project: Project, survey: Survey | None = None) -> str:
 
 
 def _days(project: Project, line: LineSource, survey: Survey | None) -> set[str]:
-    """First and last day of a line; empty where its times do not tell them."""
+    """First and last day of a line; empty if its times do not contain the date."""
     format, choice, _ = format_of_line(line)
     if survey is None:
         restart = {RESTART: line.reading.restart or NONE}
@@ -50,7 +50,7 @@ def _days(project: Project, line: LineSource, survey: Survey | None) -> set[str]
         moved = np.array([scan.first_time, scan.last_time])
         times = line.reading.moved_back(moved)
     own = known_base(format, line.path, choice, "time_base", stated=False)
-    # The trajectory's times may tell what the line's own do not.
+    # The trajectory's times may contain the date if those of the line do not.
     track = known_base(
         format_of(project.trajectory_reading.format or USUAL["trajectory"]), project.trajectory,
         dict(project.trajectory_reading.options), "time", stated=False,

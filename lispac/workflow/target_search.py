@@ -1,4 +1,4 @@
-"""Seeking a target of either shape, in one line or in all."""
+"""Search for a target of either shape, in one line or in all."""
 
 import os
 from collections.abc import Iterable, Mapping
@@ -58,7 +58,7 @@ SOUGHT = 50_000
 shows where the plane is, and then all points that lie on it are taken."""
 
 ABOUT = 0.1
-"""Metres from a clicked point within which its neighbours are looked for."""
+"""Metres from a clicked point within which its neighbours are searched for."""
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -69,7 +69,7 @@ the error of the POS, and what the rough boresight is off by."""
 
 @dataclass(frozen=True)
 class TargetSearch:
-    """What is sought.
+    """What is searched for.
 
     Attributes
     ----------
@@ -244,7 +244,7 @@ def _clicked(
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """Where a target is sought: in lines that nearly meet.
+    """Where a target is searched for: in lines that nearly meet.
 
     Attributes
     ----------

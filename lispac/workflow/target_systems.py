@@ -14,7 +14,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.line_chunks import Chunks
 
 LOCAL = "local"
-"""Asks for the local frame instead of a coordinate system."""
+"""Selects the local frame instead of a coordinate system."""
 FIRST_YEAR, LAST_YEAR = 1900.0, 2100.0
 """An epoch outside is a slip of the pen."""
 
@@ -30,7 +30,7 @@ def target_system(
     chosen: Sequence[Chunks], trajectory: LocalTrajectory, system: str, height: str = "",
     trajectory_datum: str | None = None, epoch: float | None = None,
 ) -> CoordinateSystem | None:  # fmt: skip
-    """The coordinate system asked for: empty for that of the lines, None for the local frame.
+    """The selected coordinate system: empty for that of the lines, None for the local frame.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def chosen_system(
     text: str, trajectory: LocalTrajectory, height: str = "", trajectory_datum: str = "",
     epoch: float | None = None,
 ) -> CoordinateSystem | None:  # fmt: skip
-    """The coordinate system asked for; None for the local frame.
+    """The selected coordinate system; None for the local frame.
 
     Raises
     ------
@@ -149,7 +149,7 @@ def _common_system(chosen: Sequence[Chunks]) -> CoordinateSystem | None:
 
 
 def _described(chunks: Chunks) -> str:
-    """A line's coordinate system with all that tells it from another one of the same name."""
+    """A line's coordinate system with all that distinguishes it from others of the same name."""
     assert chunks.system is not None
     details = [str(chunks.system.height)]
     if datum := str(chunks.choice[DATUM.name]).strip():

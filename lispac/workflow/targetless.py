@@ -38,7 +38,7 @@ degree moves it some tens of metres away."""
 QUICK = 0.3
 """Metres over which points are averaged between the rounds."""
 SETTLED = 0.1
-"""Share of its sigma by which an angle may move when no further round is worth its time."""
+"""Change of an angle, as a share of its sigma, below which no further round is run."""
 FEWEST = 4
 """Patches below which nothing of them can be checked."""
 DISAGREES = 0.3
@@ -266,7 +266,7 @@ def _targets(
 def disagreeing(
     result: AdjustmentResult, lines: Iterable[str], shifted: Collection[str]
 ) -> tuple[str, ...]:
-    """Lines that are shifted, share no surface, or of which many sightings had to be let go of.
+    """Lines that are shifted, share no surface, or have many rejected sightings.
 
     A line that is too far off for its POS error shows by its sightings: there are none, or others
     are not agreed with.

@@ -7,7 +7,7 @@ from lispac.workflow.survey import Survey
 
 
 def trajectory_on_lines(survey: Survey) -> tuple[TrajectoryOnLine, ...]:
-    """What the trajectory and its accuracies say of each line that it covers for two states."""
+    """Trajectory quality and accuracies of each line covered by at least two states."""
     found = []
     for name, scan in survey.scans.items():
         times = survey.trajectory.time

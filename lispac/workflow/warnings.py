@@ -1,6 +1,6 @@
 """All warnings about an open project in one list, each with where its cause lies.
 
-Nothing is judged here that is judged elsewhere: the list holds the messages about the files, the
+No rules are applied here: the list contains the messages about the files, the
 sightings, the adjustment, the validation and the checks.
 """
 
@@ -29,7 +29,7 @@ LISTED_SINGLY = {
 }  # fmt: skip
 """Codes of a report that sum up what is a message each here."""
 OF_A_REPORT = {"report.not_calibrated"}
-"""Codes for a report only: in the window the steps say what is still to do."""
+"""Codes for a report only: in the window the steps show what remains to be done."""
 
 
 def warnings_of(
@@ -50,7 +50,7 @@ def warnings_of(
         None while the data are not loaded.
     qualities : of the sightings, by the names of target and line, as far as they are known
     refusal : why no result follows from the last edit
-    refused_since : why an estimate was refused that was asked for after the result
+    refused_since : why an estimate after the result was refused
     stale : whether there was a result that an edit has dropped
     storage : why no recovery copy of unsaved changes is written
     """
@@ -134,7 +134,7 @@ def _not_found(project: Project) -> Iterator[Message]:
 
 
 def _targets(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """What an estimate would refuse; after it, its own warnings say so."""
+    """Reasons why an estimate would be refused; after it, its own warnings apply."""
     if project.result is not None:
         return
     used = [target for target in project.of_role("target") if target.used]

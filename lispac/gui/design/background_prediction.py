@@ -37,7 +37,7 @@ class SlowResults:
 class BackgroundPrediction(QObject):
     """Has a worker of its own: sigmas follow while a search runs.
 
-    The plan that is shown when the worker is free is foretold next; those before it are left out.
+    When the worker is free, the plan shown then is predicted next; earlier ones are skipped.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class BackgroundPrediction(QObject):
     """The `PredictedPrecision` of a plan, which in a drag may be one of a moment ago."""
     said = Signal(object)
     weighed = Signal(object)
-    """What each is worth, as `lispac.design.search.Worth`; all has been computed."""
+    """Information gain of each target and line; everything has been computed."""
     late = Signal()
     """What is shown is that of an earlier plan."""
     failed = Signal(object)
@@ -82,7 +82,7 @@ class BackgroundPrediction(QObject):
         self._begin()
 
     def stop(self) -> None:
-        """Compute nothing any more."""
+        """Stop all computations."""
         self._pause.stop()
         self._late.stop()
         self._runner.close()

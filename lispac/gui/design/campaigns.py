@@ -22,7 +22,7 @@ from lispac.workflow.campaign import pool_of
 from lispac.workflow.plan_checks import many_surveys
 
 FEW = 600
-"""Plans that are looked at sooner than other processes are started."""
+"""Plans that are examined sooner than other processes are started."""
 
 
 class CountingMapper:
@@ -36,7 +36,7 @@ class CountingMapper:
         """Results in order."""
         for value in self._mapper(function, values):
             self._count += 1
-            if self._count % 10 == 0:  # asked for the cancel flag between reports as well
+            if self._count % 10 == 0:  # the cancel flag is read between reports as well
                 self._progress(self._fraction)
             yield value
 
@@ -56,7 +56,7 @@ class CountingMapper:
 def best_plan(
     site: Site, objective: Objective, plans: int, start: Plan, progress: Progress
 ) -> Design:
-    """The best plan of a site, on all cores where there are many to look at."""
+    """The best plan of a site, on all cores if there are many plans."""
     workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
     progress(0.0, gettext_lazy("Starting the search for the best survey plan"))
     with pool_of(workers) as mapper:

@@ -190,12 +190,12 @@ class Canvas(QWidget):
         """The mouse's shape over a pixel."""
 
     def mousePressEvent(self, event) -> None:
-        """Take what is under the mouse; the scale stays while it is held."""
+        """Begin to drag the object under the mouse; the scale is kept during the drag."""
         if event.button() == Qt.MouseButton.LeftButton and self.take(event.position()):
             self._frozen = self._view
 
     def mouseMoveEvent(self, event) -> None:
-        """Move what is held, or show what could be taken."""
+        """Move the dragged object, or highlight the one under the mouse."""
         if self._frozen is not None and event.buttons() & Qt.MouseButton.LeftButton:
             free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.pull(event.position(), free)
@@ -203,7 +203,7 @@ class Canvas(QWidget):
             self.setCursor(self.over(event.position()))
 
     def mouseReleaseEvent(self, event) -> None:
-        """Drop what is held: one step of undo."""
+        """End the drag as one undo step."""
         if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
             self.workspace.drop(self._release())
             self.update()

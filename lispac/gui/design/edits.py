@@ -26,7 +26,7 @@ TITLE = "Site"
 
 @dataclass(frozen=True)
 class PlacedTarget:
-    """A target as somebody on the water says it.
+    """A target in the coordinates of an observer on the water.
 
     Attributes
     ----------
@@ -131,7 +131,7 @@ def turned(line: Line, wall: Wall, heading_deg: float) -> Line:
 
 
 def snapped(heading_deg: float) -> float:
-    """The nearest heading that a helmsman is told."""
+    """The nearest heading in whole steps for a helmsman."""
     return float(SNAP_DEG * round(heading_deg / SNAP_DEG) % 360)
 
 
@@ -147,7 +147,7 @@ def at_distance(line: Line, distance: float) -> Line:
 
 
 def hung(titled: TitledPlan) -> list[PlacedTarget]:
-    """All targets as said from the water."""
+    """All targets in the coordinates of an observer on the water."""
     return [PlacedTarget.of(target, titled.wall) for target in titled.plan.targets]
 
 

@@ -33,7 +33,7 @@ class View3D(QObject):
         self._work, self.viewport = workspace, viewport
         self._names: set[str] = set()
         self._held: PlacedTarget | None = None
-        self._lost = False  # what is held was in another plan
+        self._lost = False  # the dragged object was in another plan
         self._by = np.zeros(3)
         self._clouds: dict[str, Array] = {}
         viewport.signals.seed_clicked.connect(self._hang)
@@ -66,7 +66,7 @@ class View3D(QObject):
             self.viewport.show_sketch(name, sketch)
 
     def fit(self) -> None:
-        """Look at all of it from the water."""
+        """View the whole site from the water."""
         plan, wall = self._work.titled.plan, self._work.titled.wall
         points = [np.array(plan.middle), *(np.array(t.centre) for t in plan.targets)]
         points += [end for ends in _ends(self._work.titled) for end in ends]

@@ -52,7 +52,7 @@ class WallView(Canvas):
         self._from = np.zeros(2)
 
     def bounds(self) -> Array:
-        """Corners of the targets with room around: shape (n, 2), metres, along the wall and up."""
+        """Corners of the targets with a margin: shape (n, 2), metres, along the wall and up."""
         places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
         for each in edits.hung(self.workspace.titled):
             places += [(each.along - each.width, each.up - ABOVE)]

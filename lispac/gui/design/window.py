@@ -105,7 +105,7 @@ class DesignWindow(QMainWindow):
 
     Parameters
     ----------
-    make_viewport : makes the 3D view when it is first looked at
+    make_viewport : makes the 3D view when it is first shown
     """
 
     closed = Signal()
@@ -252,7 +252,7 @@ class DesignWindow(QMainWindow):
             self.views.setCurrentWidget(self.pictures)
 
     def ask_surveys(self) -> None:
-        """Bring what asks for simulated surveys to the front."""
+        """Show the page for simulated surveys."""
         self.tabs.setCurrentWidget(self.surveys)
         self.surveys.surveys.setFocus()
         self.surveys.surveys.selectAll()
@@ -269,7 +269,7 @@ class DesignWindow(QMainWindow):
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
     def fit(self) -> None:
-        """Look at all of it in 3D, which comes to the front."""
+        """Show the whole site in 3D, and bring the page to the front."""
         if self.views.currentWidget() is self._stage and self.view3d is not None:
             self.view3d.fit()
         else:
@@ -320,7 +320,7 @@ class DesignWindow(QMainWindow):
         self.close()
 
     def closeEvent(self, event) -> None:
-        """Say that it was closed."""
+        """Emit that the window was closed."""
         self.closed.emit()
         event.accept()
 

@@ -25,7 +25,7 @@ WITH_SOLUTION = {
 
 
 class _Line(QLineEdit):
-    """A line of text that tells when it loses the focus."""
+    """A line of text with a signal when it loses the focus."""
 
     left = Signal()
     """The focus has left the field, whether or not it was edited."""

@@ -31,7 +31,7 @@ NOT_WITH_CLASSICAL = N_(
 
 
 class Page(QWidget):
-    """A page with its content, or with a text that says how to get it."""
+    """A page with its content, or with a text on how to obtain it."""
 
     title = ""
     without_result = ""

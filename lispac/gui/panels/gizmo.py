@@ -100,7 +100,7 @@ class Gizmo(QWidget):
         return self._rotation_body_scanner.T
 
     def reset_view(self) -> None:
-        """Look from the starboard quarter and above again."""
+        """Restore the view from the starboard quarter and above."""
         self.view_deg = _VIEW_DEG
         self.update()
 
@@ -171,12 +171,12 @@ class Gizmo(QWidget):
         return float(self.project(axis)[0, 2])
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the view."""
+        """Attach to the view."""
         self._last = event.position()
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Turn the view that is held."""
+        """Rotate the attached view."""
         if self._last is None:
             return
         moved = event.position() - self._last
@@ -184,12 +184,12 @@ class Gizmo(QWidget):
         self.turn_view(-_DEGREES_PER_PIXEL * moved.x(), _DEGREES_PER_PIXEL * moved.y())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go of the view."""
+        """Detach from the view."""
         self._last = None
         self.setCursor(Qt.CursorShape.OpenHandCursor)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Look from where it was seen first."""
+        """Restore the first view."""
         self.reset_view()
 
     def keyPressEvent(self, event) -> None:

@@ -92,7 +92,7 @@ class SectionPanel(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
-        # In the place of the picture: beside the options there is no room for the text.
+        # In the place of the picture: beside the options there is no space for the text.
         self._row.addWidget(self.words, 1)
         self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.words.setContentsMargins(24, 0, 24, 0)

@@ -31,7 +31,7 @@ LOOKS: dict[Level, tuple[str, str, str]] = {
     Level.WARNING: ("alert", "warning", N_("Warning")),
     Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
-"""Icon, colour and name. The shapes differ, since not everybody can tell the colours apart."""
+"""Icon, colour and name. The shapes differ too, for colour-blind users."""
 
 TURN_S = 0.015
 """Seconds in which texts are added before the window reacts again: each takes a millisecond."""

@@ -138,7 +138,7 @@ def number(
     ----------
     suffix, decimals, low, high, step : in the unit that `value` has
     ranged : bool
-        Say the range and the unit after the tip.
+        Add the range and the unit to the tip.
     fixed : bool
         Show and take this very unit, whatever the user has chosen.
     """
@@ -216,7 +216,7 @@ class TallArea(QScrollArea):
         self.setWidget(inside)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Ask for room when what is in it has become wider."""
+        """Request more space when the content has become wider."""
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
             wide = self.minimumSizeHint().width()
             if wide != self._asked:
@@ -255,7 +255,7 @@ class Triple(QWidget):
         return a, b, c
 
     def set_value(self, values: Sequence[float]) -> None:
-        """Fill in three numbers without telling anyone."""
+        """Fill in three numbers without a signal."""
         for field, value in zip(self.fields, values, strict=True):
             field.blockSignals(True)
             field.setValue(value)

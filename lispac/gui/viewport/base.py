@@ -1,4 +1,4 @@
-"""What the window asks of a 3D viewport; `vtk` draws it, `recording` remembers it for tests."""
+"""Interface of a 3D viewport; `vtk` draws, `recording` records the calls for tests."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -143,7 +143,7 @@ def emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> Emphasis
 
 
 class ViewportSignals(QObject):
-    """What a viewport tells the window."""
+    """Signals of a viewport."""
 
     seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
     missed = Signal()  # Ctrl+click in empty space
@@ -202,7 +202,7 @@ class Viewport(Protocol):
         """
 
     def set_station(self, position: tuple[float, float, float]) -> None:
-        """Say from where the scene is seen, usually the middle of the trajectory.
+        """Set the point from which the scene is viewed, usually the middle of the trajectory.
 
         "front" looks from there at the lines, the other standard views follow; the origin of the
         local frame until it is said.
@@ -221,10 +221,10 @@ class Viewport(Protocol):
         """Draw in parallel (orthographic) projection, or in perspective."""
 
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
-        """Say what the left button does, and what is written of it above the picture."""
+        """Set the function of the left button, and the text about it above the picture."""
 
     def set_hovering(self, hovering: bool) -> None:
-        """Tell what is under the resting mouse, or not."""
+        """Emit the point under the resting mouse, or not."""
 
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
         """Those of a line's points that are drawn now and lie within a sphere, shape (n, 3)."""

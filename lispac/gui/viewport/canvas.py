@@ -18,7 +18,7 @@ class Canvas(QtInteractor):
     def __init__(self, parent: QWidget) -> None:
         self._changed = True
         self.frames = 0
-        # No multisampling: it says nothing for single pixels and costs software OpenGL dearly.
+        # No multisampling: it has no effect on single pixels and costs software OpenGL dearly.
         super().__init__(parent, auto_update=False, multi_samples=0)
 
     def redraw(self) -> None:

@@ -51,7 +51,7 @@ def foremost(places: NDArray[np.float32], wanted: int) -> NDArray[np.int64]:
     count = len(places)
     if wanted >= count:
         return np.arange(count)
-    # Ranks are even, so that nearly all points are left out without being compared.
+    # Ranks are even, so that nearly all points are excluded without being compared.
     few = np.flatnonzero(places < (wanted + 6.0 * np.sqrt(wanted) + 6.0) / count)
     if len(few) < wanted:
         few = np.arange(count)
@@ -75,7 +75,7 @@ def in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
 
 
 def robust_sample(points: Array, percent: float = 0.05) -> Array:
-    """Points without the outermost ``percent`` on each side of each axis; stray echoes are there.
+    """Points without the outermost ``percent`` on each side of each axis, which hold outliers.
 
     Parameters
     ----------

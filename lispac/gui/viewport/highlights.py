@@ -93,5 +93,5 @@ class Highlights:
         self._drawn = []
 
     def forget(self) -> None:
-        """Let go of everything, after the renderer has."""
+        """Release everything, after the renderer has."""
         self._drawn, self.highlights = [], ()

@@ -189,7 +189,7 @@ class Layer:
         self._coarse = []
 
     def forget(self) -> None:
-        """Let go of everything, after the renderer has."""
+        """Release everything, after the renderer has."""
         self._coarse, self._fine, self._rims = [], [], []
         self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
         self._ranks, self._orders, self._kept = {}, {}, {}

@@ -14,12 +14,12 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from lispac.gui.viewport.base import Array, Colour, Shading, Viewport, ViewportSignals
 
 PER_WHAT = {"set_line_visible", "show_sketch"}
-"""The first argument says of which line or sketch it is; of others the last call is what holds."""
+"""The first argument names the line or sketch; of the other calls, the last one applies."""
 ANSWERED = {"hides", "drawn_near", "to_pixels", "picture"}
 
 
 class LazyViewport:
-    """`Viewport` that remembers what it is asked until it is seen, drawn on or asked for an answer.
+    """`Viewport` that stores calls until it is shown, drawn on or queried.
 
     Parameters
     ----------

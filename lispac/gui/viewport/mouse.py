@@ -42,7 +42,7 @@ class _Drag(Enum):
 
 
 class Mouse(QObject):
-    """Watches a widget and tells what the user wants; positions are pixels of the widget."""
+    """Watches a widget and emits the user's actions; positions are pixels of the widget."""
 
     drag_started = Signal(float, float)
     rotated = Signal(float, float)  # dx, dy since the last
@@ -72,7 +72,7 @@ class Mouse(QObject):
         widget.installEventFilter(self)
 
     def set_mode(self, mode: MouseMode) -> None:
-        """Say what the left button does."""
+        """Set the function of the left button."""
         self.mode = mode
         self._show_cursor(False)
 

@@ -20,7 +20,7 @@ SNAP = (3.0, 8.0, 20.0)
 """Pixels within which a drag or the wheel finds the surface it turns about or comes closer to."""
 
 FITTED = 60_000
-"""Points that say where everything is; of the coarse ones any first part is a fair sample."""
+"""Points that determine the extent; any first part of the coarse points is a fair sample."""
 
 VIEWS_DEG = {
     "front": (0.0, 0.0),
@@ -42,7 +42,7 @@ class Navigator(QObject):
     coarse : the thinned points (n, 3) of them, which are navigated by
     drawn : gives the points (n, 3) of them that are on the screen now, by which hovering looks
     station : ndarray of shape (3,), metres, local frame
-        Where "front" looks from.
+        Station of the view "front".
     """
 
     moved = Signal()  # the user moves the camera
@@ -118,7 +118,7 @@ class Navigator(QObject):
         self.refit()
 
     def _everything(self) -> Array:
-        """Points that say where everything is, found once for what is drawn."""
+        """Sample of the drawn points for the extent of the scene, computed once."""
         if self._all is None or self._all[0] is not self.coarse:
             self._all = self.coarse, self._sample()
         return self._all[1]

@@ -324,7 +324,7 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
     painter.drawLine(spot, label)
     painter.setPen(QPen(colour.darker(130), 1.5))
     painter.drawLine(spot, label)
-    # A dark and a light ring tell the dot from points of its own colour.
+    # A dark and a light ring distinguish the dot from points of its colour.
     painter.setPen(QPen(QColor(LIGHT.text), 4.2))
     painter.drawEllipse(spot, 5.0, 5.0)
     painter.setPen(QPen(QColor(LIGHT.paper), 1.8))

@@ -22,7 +22,7 @@ LEAST: dict[Kind, int] = {"moving": 20_000, "resting": 100_000}
 """Points below which nothing could be made out; they are drawn however long it takes."""
 
 JUDGED = 10_000
-"""A frame of fewer points tells nothing: most of its time is not theirs."""
+"""Frames of fewer points are not used: their time depends on other work."""
 
 LAST = 3
 """Frames remembered; the fastest counts, for what else the processor does slows some of them."""

@@ -1,4 +1,4 @@
-"""A viewport without graphics that remembers what it was asked; for tests of the window."""
+"""A viewport without graphics that records the calls; for tests of the window."""
 
 from collections.abc import Mapping, Sequence
 
@@ -23,12 +23,12 @@ from lispac.gui.viewport.clipping import Box
 
 
 class RecordingViewport:
-    """Does what `Viewport` says, on a plain widget.
+    """Implements `Viewport` on a plain widget.
 
     Attributes
     ----------
     calls : list of (method name, arguments)
-        Everything asked, in order.
+        All calls, in order.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
     mouse_mode, hint, hovering, sketches, box, beside
         What a real viewport would show now.
@@ -193,7 +193,7 @@ class RecordingViewport:
         return self._widget.grab().toImage()
 
     def clear(self) -> None:
-        """Forget what is shown."""
+        """Clear what is shown."""
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None

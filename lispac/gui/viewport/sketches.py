@@ -18,13 +18,13 @@ from lispac.language import gettext
 REACH = 9.0
 """Pixels about a handle within which it is taken."""
 HOVER_MS = 40
-"""Stillness of the mouse after which what is under it is looked at."""
+"""Time at rest after which the point under the mouse is searched for."""
 LOOKED_AT = 250_000
-"""Points drawn among which the one under the resting mouse is sought; it is only to be near."""
+"""Drawn points that are searched for the one under the resting mouse."""
 BELOW_HINT = 42.0
 """Pixels from the top below which words are not hidden by what the mouse does now."""
 END_ON = 0.25
-"""Sine between a handle's axis and the view below which the mouse cannot say how far to move it."""
+"""Sine between a handle's axis and the view below which the mouse cannot move it."""
 
 
 @dataclass(eq=False)
@@ -43,7 +43,7 @@ class Sketches(QObject):
 
     Attributes
     ----------
-    hovering : whether what is under the mouse is told
+    hovering : whether the point under the mouse is emitted
     share : of the picture's width that is on the left of the dividing line
     """
 
@@ -91,7 +91,7 @@ class Sketches(QObject):
         self._overlay.update()
 
     def rest(self) -> None:
-        """Look at nothing any more."""
+        """Stop watching."""
         self._still.stop()
         if self.hovering:
             self._signals.hovered.emit(None)
@@ -147,7 +147,7 @@ class Sketches(QObject):
             self._divide_at(self.share * self._navigator.size.width + right)
 
     def _along(self, place: Array, axis: Array, x: float, y: float) -> float | None:
-        """How far along an axis through a place the mouse is, metres; None where it cannot tell."""
+        """Distance of the mouse along an axis through a place, metres; None if undetermined."""
         camera, size = self._navigator.camera, self._navigator.size
         eye = camera.point_at(x, y, 0.0, size)
         ray = camera.point_at(x, y, 1.0, size) - eye

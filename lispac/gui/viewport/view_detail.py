@@ -1,4 +1,4 @@
-"""The detail of a view that rests: sought in several turns of the event loop, or at once."""
+"""Detail of a resting view: selected in several steps of the event loop, or at once."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -11,16 +11,16 @@ REST_MS = 180
 """Stillness after which the detail is drawn."""
 
 STEP_S = 0.04
-"""Longer than this, it is not sought without keys and the mouse being heard."""
+"""Longest time of the selection without events of keyboard and mouse."""
 
 
 class ViewDetail:
-    """Seeks the detail in steps, and then has it shown.
+    """Selects the detail in steps, and then shows it.
 
     Parameters
     ----------
-    steps : makes an iterator that seeks it, a little at each step
-    show : shows what was sought
+    steps : returns an iterator that selects a part at each step
+    show : shows the selected detail
     """
 
     def __init__(
@@ -37,19 +37,19 @@ class ViewDetail:
         return self._rest.isActive() or self._step.isActive()
 
     def later(self) -> None:
-        """Seek it once the view has rested for a moment."""
+        """Select it once the view has rested for a moment."""
         self._step.stop()
         self._rest.start()
 
     def now(self, steps: Iterator[None]) -> None:
-        """Show it at once, sought by other steps than the usual."""
+        """Select it with other steps, and show it at once."""
         self.stop()
         for _ in steps:
             pass
         self._show()
 
     def abandon(self) -> None:
-        """Seek no further what was begun: the view has moved."""
+        """Stop the selection: the view has moved."""
         self._step.stop()
 
     def stop(self) -> None:

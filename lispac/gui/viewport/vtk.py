@@ -180,7 +180,7 @@ class VtkViewport:
         self._style_points()
 
     def set_station(self, position: tuple[float, float, float]) -> None:
-        """Say from where the standard views look at the lines."""
+        """Set the point from which the standard views show the lines."""
         self._navigator.station = np.asarray(position, dtype=np.float64)
 
     def fit(self, points: Array | None = None) -> None:
@@ -204,13 +204,13 @@ class VtkViewport:
         self._refine_later()
 
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
-        """Say what the left button does, and what is written of it above the picture."""
+        """Set the function of the left button, and the text about it above the picture."""
         self._navigator.mouse.set_mode(mode)
         self._overlay.hint = hint
         self._overlay.update()
 
     def set_hovering(self, hovering: bool) -> None:
-        """Tell what is under the resting mouse, or not."""
+        """Emit the point under the resting mouse, or not."""
         if not hovering:
             self._sketch_layer.rest()
         self._sketch_layer.hovering = hovering

@@ -23,7 +23,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 LOCKED = 1e-8
-"""Cosine of the middle angle below which the outer two are not told apart."""
+"""Cosine of the middle angle below which the outer two are not distinguished."""
 NEARLY_LOCKED = np.cos(np.radians(80.0))
 ORTHOGONAL = 5e-6
 """How far a typed matrix may be from a rotation: what rounding to six decimals does."""
@@ -35,10 +35,10 @@ class Setup:
 
     Attributes
     ----------
-    body_axes : where the system's body axes point, if other than its convention says
+    body_axes : directions of the system's body axes, if they differ from its convention
     scanner : how its scanner axes lie to those of the raw points, if other than usual
     mounting : where the raw scanner axes nominally point, for a system with a mounting; None
-        for the axes nearest to the boresight, or forward, port, up where that is sought
+        for the axes nearest to the boresight, or forward, port, up where that is searched for
     """
 
     convention: Convention
@@ -58,7 +58,7 @@ class Setup:
 
     @property
     def as_documented(self) -> bool:
-        """Whether nothing was stated that the convention itself says otherwise."""
+        """Whether nothing was given that differs from the convention."""
         axes_kept = self.convention.open_axes or self.axes == self.convention.axes
         return axes_kept and self.scanner_frame == self.convention.scanner
 
@@ -334,7 +334,7 @@ def angle_jacobian(setup: Setup, boresight: Array) -> Array | None:
 
     Returns
     -------
-    ndarray of shape (3, 3), no unit, or None where the system's outer angles are not told apart
+    ndarray of shape (3, 3), no unit, or None where the system's outer angles are not distinguished
     """
     mounting = Mounting(np.zeros(3), boresight)
     rotation = mounting.rotation_body_lidar

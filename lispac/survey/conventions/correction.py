@@ -1,4 +1,4 @@
-"""The correction to settings that another program already holds: a product, never a sum."""
+"""Correction to the present settings of another program: a product, never a sum."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 SUM_MATTERS = float(np.radians(0.0005))
-"""A millimetre at 100 m: below it a sum of angles would do as well as the product."""
+"""A millimetre at 100 m: below it a sum of angles is as good as the product."""
 
 
 @dataclass(frozen=True, eq=False)

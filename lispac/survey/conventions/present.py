@@ -1,4 +1,4 @@
-"""What another program holds now, its matrix and lever arm included, and what replaces it."""
+"""Present setting of another program, with matrix and lever arm, and its replacement."""
 
 from dataclasses import dataclass, replace
 from typing import Literal

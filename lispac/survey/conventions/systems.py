@@ -62,7 +62,7 @@ class AxisRotation:
     name : as the system's window calls it
     axis : 0, 1 or 2, the axis of the system's body frame it turns about
     sign : +1 where the matrix is Rx, Ry or Rz of the angle, -1 where it is that of its negative
-    meaning : the sign in words
+    meaning : description of the sign
     """
 
     name: str

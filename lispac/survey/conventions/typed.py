@@ -18,7 +18,7 @@ def matrix_of_text(text: str, where: str) -> tuple[Array, Array | None]:
     Parameters
     ----------
     where : str
-        What an error names: the file, say.
+        Name for error messages, for example the file.
 
     Returns
     -------

@@ -123,7 +123,7 @@ _SIDES = (
 
 
 def offsets_note(mounting: Mounting) -> Message | None:
-    """What else the other program has to apply for the boresight to hold."""
+    """Other values that the other program must apply for the boresight to be valid."""
     offsets = (
         ("item.range_offset", mounting.range_offset, 1.0),
         ("item.scan_angle_offset", mounting.scan_angle_offset, float(np.degrees(1.0))),

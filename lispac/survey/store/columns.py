@@ -69,9 +69,9 @@ class ColumnFile:
 
 
 class ScatteredColumn:
-    """A column whose values come in any order; the room for all is taken at the start.
+    """A column whose values come in any order; the space for all is reserved at the start.
 
-    Room that is taken only while a mapped file is filled would end the program, not raise an
+    Space that is reserved only while a mapped file is filled would end the program, not raise an
     error, where the disk is full.
     """
 
@@ -129,12 +129,12 @@ def checksum_of(path: Path) -> int:
 
 
 def opened(folder: Path, column: Column, count: int) -> NDArray[Any]:
-    """A column's values, shape (count, ...), mapped: read where they are looked at.
+    """A column's values, shape (count, ...), mapped: read where they are examined.
 
     Raises
     ------
     ProjectError
-        Where the file is not what the manifest says.
+        Where the file differs from the manifest.
     """
     shape = (count, *column.shape)
     if not column.file:

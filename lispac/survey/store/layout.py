@@ -145,7 +145,7 @@ class SourceFile:
 
 @dataclass(frozen=True)
 class Manifest:
-    """What a stored line holds and what it was made from.
+    """Contents of a stored line and their source.
 
     Attributes
     ----------
@@ -461,7 +461,7 @@ def plainly_written(
 
 
 def _not_written(folder: str, failure: OSError, size: int | None) -> Message:
-    """Why a line cannot be written; ``size`` is the room that its import needs, bytes."""
+    """Why a line cannot be written; ``size`` is the space that its import needs, bytes."""
     if failure.errno in (errno.ENOSPC, errno.EDQUOT):
         if size:
             return error("store.disk_full_size", folder=folder, size=size)

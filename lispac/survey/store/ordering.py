@@ -31,7 +31,7 @@ def write_columns(
     Returns
     -------
     own : tuple of Column
-        ``xyz``, ``time``, ``number`` of each point, and ``before`` where points are left out; the
+        ``xyz``, ``time``, ``number`` of each point, and ``before`` where points are excluded; the
         ``row`` of each number; the ``octaves`` of the cells and where each ``starts``; the coarse
         level.
     attributes : tuple of Column

@@ -27,7 +27,7 @@ OWN = (
     Column("before", "<u4"),
 )
 """What every point has: its place seen from the scanner, its time, its number in the line, and how
-many points before it in the file are left out."""
+many points before it in the file are excluded."""
 
 Values = dict[str, NDArray[Any]]
 """Values of some points by field: the names of `OWN`, and those that `fields` gives attributes."""
@@ -42,12 +42,12 @@ class Piece:
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     time : ndarray of shape (n,), seconds, in the trajectory's time base
     index : ndarray of shape (n,), int64
-        Of each point in its file, counted from 0; what is left out has a place too.
+        Of each point in its file, counted from 0; what is excluded has a place too.
     extra : mapping of str to ndarray of shape (n, ...)
     read : int
-        Points of the file up to here, with those left out.
+        Points of the file up to here, including excluded ones.
     total : int or None
-        Points of the file, where it says so.
+        Number of points in the file, if given in it.
     """
 
     points_lidar: Array
@@ -98,7 +98,7 @@ class Block:
         }
 
     def add(self, piece: Piece) -> None:
-        """Take points of a piece that have room here."""
+        """Take the points of a piece that fit here."""
         rows = slice(self.count, self.count + len(piece))
         self.points_lidar[rows], self.time[rows] = piece.points_lidar, piece.time
         numbers = np.arange(len(piece)) + (self.first + self.count)

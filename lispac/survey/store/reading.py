@@ -1,4 +1,4 @@
-"""A stored line: its columns as arrays that are read where they are looked at."""
+"""A stored line: its columns as arrays that are read where they are examined."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -158,7 +158,7 @@ class StoredLine:
             raise self._damaged()
 
     def _require_points(self, points_lidar: NDArray[Any], time: NDArray[Any]) -> None:
-        """Refuse points farther than the manifest says, and times outside of its own.
+        """Refuse points beyond the range in the manifest, and times outside its span.
 
         Raises
         ------
@@ -217,7 +217,7 @@ class StoredLine:
         centre : ndarray of shape (3,), metres, local frame
         radius : float, metres
         margin : float, metres
-            How far points may have moved since they were ordered: with another boresight, say.
+            How far points may have moved since they were ordered, for example by another boresight.
         halvings : int
             Of the points: 1 gives a fair sample of half of them, 2 of a quarter, and so on.
 
@@ -377,7 +377,7 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
     Raises
     ------
     ProjectError
-        Where it is not imported, its import was interrupted, or it is damaged; says what to do.
+        Where it is not imported, its import was interrupted, or it is damaged.
     FileNotFoundError
         Where a file of it vanishes meanwhile.
     """
@@ -411,7 +411,7 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
 
 
 def _is_current(folder: Path, manifest: Manifest) -> bool:
-    """Whether a manifest read earlier still tells which columns count."""
+    """Whether a manifest read earlier still names the valid columns."""
     try:
         now = read_manifest(folder)
     except ProjectError:

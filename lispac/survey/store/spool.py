@@ -91,7 +91,7 @@ class SpoolSummary:
     Attributes
     ----------
     read : int
-        Points of the file, with those left out.
+        Points of the file, including excluded ones.
     assumptions : tuple of mapping
         Messages as plain values; texts where an earlier version wrote it.
     audit : mapping of plain values

@@ -1,4 +1,4 @@
-"""When the files of a store were last written: tells without reading them that nobody has since.
+"""Modification times of the files of a store: detect changes without reading the files.
 
 A file that was written to has another time than the manifest says, whatever its size; so has a
 copy. Only such a store is read and compared by its checksums on opening, and only once: where they

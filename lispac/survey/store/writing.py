@@ -44,7 +44,7 @@ from lispac.survey.store.stamps import stamped
 READING_SHARE = 0.6
 """Part of the time that reading takes, for the progress."""
 BYTES_PER_POINT = 100
-"""Room an import takes for a point of LAS with all its attributes: block and columns together."""
+"""Bytes of an imported LAS point with all its attributes: block and columns together."""
 
 Pieces = Callable[[int], Iterator[Piece]]
 """Gives the points of a file from an index on."""
@@ -264,7 +264,7 @@ def tidy(folder: Path, manifest: Manifest) -> None:
 
 
 class _Expected:
-    """What an import will take on the disk, once the file has said how many points it has."""
+    """Disk space of an import, once the number of points is known."""
 
     points: int | None = None
 

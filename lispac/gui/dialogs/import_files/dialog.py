@@ -323,7 +323,7 @@ class ImportDialog(QDialog):
             )  # fmt: skip
         return gettext("{warning} See the tab Mounting and accuracies.", warning=warning)
 
-    # -- what is asked -----------------------------------------------------------------------
+    # -- requests --------------------------------------------------------------------------
 
     def _mend(self, path: Path, action: Action) -> None:
         self.work.edit(self.intake.with_action(path, action))

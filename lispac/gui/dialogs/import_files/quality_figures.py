@@ -49,7 +49,7 @@ class Quality:
 
     @classmethod
     def of(cls, intake: Intake) -> "Quality | None":
-        """Of an intake; None before its trajectory is read."""
+        """Figures of an import; None before its trajectory is read."""
         if intake.track is None:
             return None
         colours = theme.line_colours([str(line.path) for line in intake.lines])

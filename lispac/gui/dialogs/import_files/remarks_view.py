@@ -1,4 +1,4 @@
-"""List of the remarks on files, each with buttons for its remedies."""
+"""List of the remarks on files, each with buttons for the suggested actions."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Page with the timeline of the import, remarks on times, and their remedies."""
+"""Page with the timeline of the import, and remarks on times with suggested actions."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -66,7 +66,7 @@ class ImportFiles(QObject):
         self.runner.run(gettext("Listing the files"), work, done)
 
     def edit(self, intake: Intake) -> None:
-        """Replace the intake, and read the files that are pending."""
+        """Replace the import, and read the files that are pending."""
         self.intake = intake
         here = {entry.path for entry in intake.entries}
         self._queued = {path: entry for path, entry in self._queued.items() if path in here}
