@@ -356,7 +356,7 @@ def test_nothing_to_warn_of_is_said(
     at_hand(warnings)
     monkeypatch.setattr(warnings, "qualities", lambda *_, **__: {})
     monkeypatch.setattr(warnings, "warnings_of", lambda *_: ())
-    assert told(capsys, "warnings", project.folder) == ("Nothing to warn of.\n", "")
+    assert told(capsys, "warnings", project.folder) == ("No warnings.\n", "")
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}
 
 

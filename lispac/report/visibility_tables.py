@@ -29,7 +29,7 @@ BEST_TITLES: Mapping[str, str] = {
 """Titles of the tables by the name of the site."""
 VALUES = (
     N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
-    N_("Centroidal distance (m)"), N_("Type I"), N_("Accepted"),
+    N_("Centroidal distance (m)"), N_("Type I criterion"), N_("Accepted"),
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (
@@ -112,16 +112,16 @@ def all_errors_in_words(found: Visibility) -> str:
     """Which lines show every error, on the terrestrial site beside table 3.3 of the thesis."""
     sets = fewest_lines([found.best(error) for error in found.site.errors])
     if found.site.name != "terrestrial":
-        template = N_("Fewest lines that show every error: {lines}.")
+        template = N_("Smallest sets of lines that reveal all errors: {lines}.")
     elif lines_for_all_agree(found):
         template = N_(
-            "Fewest lines that show every error: {lines} (the same as the {count:n} of table 3.3 "
-            "of the thesis)."
+            "Smallest sets of lines that reveal all errors: {lines} (the same as the {count:n} "
+            "sets in table 3.3 of the thesis)."
         )
     else:
         template = N_(
-            "Fewest lines that show every error: {lines} (others than the {count:n} of table 3.3 "
-            "of the thesis)."
+            "Smallest sets of lines that reveal all errors: {lines} (different from the {count:n} "
+            "sets in table 3.3 of the thesis)."
         )
     return gettext(template, lines="; ".join(map(_headings, sets)), count=len(ALL_ERRORS))
 
@@ -131,7 +131,7 @@ def _compared(each: Compared) -> tuple[str, ...]:
     accepted = gettext("none")
     if best.kept:
         accepted = _range(*(round(float(np.degrees(end))) for end in (best.kept[0], best.kept[-1])))
-    not_seen, thesis = gettext("not seen"), stated.inclination_deg
+    not_seen, thesis = gettext("not visible"), stated.inclination_deg
     return (
         error_in_words(best.error),
         accepted,
