@@ -86,7 +86,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     )
     assert said["Surface sigma"].startswith("0.4\u00a0mm, estimated from the data")
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
-    assert said["Estimated LiDAR noise"] == "on no target larger than the given noise"
+    assert said["Estimated LiDAR noise"] == "not larger than the given noise on any target"
     first, second = _result(project).targets
     noisy = changed(
         targets=(first, replace(second, noise=1.42)),

@@ -73,9 +73,12 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
             (gettext("Variance factor"), _variance_factor(content, adjustment)),
             (gettext("Chi-square test at 95 %"), statistic),
             ("", gettext(test.in_words)),
-            (gettext("RMS before"), gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m)),
             (
-                gettext("RMS after"),
+                gettext("RMS before calibration"),
+                gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
+            ),
+            (
+                gettext("RMS after calibration"),
                 gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
             ),
             (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_in_words)),

@@ -100,7 +100,10 @@ def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str
     if names:
         estimated = [gettext("boresight"), *map(parameter, names)]
         values.append(
-            (gettext("Selected for estimation"), gettext("{names:names}", names=estimated))
+            (
+                gettext("Parameters selected for estimation"),
+                gettext("{names:names}", names=estimated),
+            )
         )
     if used.accept_one_facing:
         values.append((gettext("Targets that all face the same way"), gettext("accepted")))
@@ -176,8 +179,8 @@ def _noise(adjustment: Adjustment) -> str:
     applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
     if not larger:
         if applied:
-            return gettext("on no target larger than the sigma from the variance components")
-        return gettext("on no target larger than the given noise")
+            return gettext("not larger than the sigma from the variance components on any target")
+        return gettext("not larger than the given noise on any target")
     found = [
         gettext("{factor}\u00a0times ({target})", factor=fixed(t.noise_factor, 1), target=t.target)
         for t in larger

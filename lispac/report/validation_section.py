@@ -189,8 +189,9 @@ def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
                 (
                     Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
                     *_before_and_after(
-                        in_unit(gettext("Offset"), "mm"), gettext("Rotation, level\naxis (deg)"),
-                        gettext("Upright\naxis (deg)"),
+                        in_unit(gettext("Offset"), "mm"), gettext(
+                            "Rotation about\nlevel axis (deg)"),
+                        gettext("Rotation about\nupright axis (deg)"),
                     ),
                 ),
                 rows([*_named(plane, pair), *_plane_cells(pair)] for plane, pair in listed),

@@ -29,12 +29,13 @@ BEST_TITLES: Mapping[str, str] = {
 """Titles of the tables by the name of the site."""
 VALUES = (
     N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
-    N_("Centroidal distance (m)"), N_("Type I criterion"), N_("Accepted"),
+    N_("Centroidal distance (m)"), N_("Type I"), N_("Accepted"),
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (
-    N_("Error"), N_("Accepted (deg)"), N_("Accepted, thesis"), N_("Best (deg)"), N_("Best, thesis"),
-    N_("Lines that differ"), N_("Lines, thesis"), N_("Inclination"), N_("Lines"), N_("Reason"),
+    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., thesis"), N_("Best incl. (deg)"),
+    N_("Best incl., thesis"), N_("Required lines"), N_("Required lines, thesis"),
+    N_("Incl. vs. thesis"), N_("Lines vs. thesis"), N_("Reason"),
 )  # fmt: skip
 """Titles of the columns; the thesis's inclinations are in degrees."""
 
@@ -71,7 +72,7 @@ def reading(found: Visibility, error: str, criterion: str, inclination_deg: floa
         for heading, value in zip(HEADINGS_DEG, values, strict=True)
     ]
     return gettext(
-        "{quantity} at {inclination:deg.0} deg, by line: {values}",
+        "{quantity} at an inclination of {inclination:deg.0} deg, by heading of the line: {values}",
         quantity=gettext(shown.label), inclination=found.site.inclinations[j],
         values="; ".join(lines),
     )  # fmt: skip

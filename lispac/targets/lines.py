@@ -321,7 +321,7 @@ def _from_reference(
         lambda name: first if name == first_line else again(name),
         lambda count, name: progress(
             count / len(clouds),
-            gettext_lazy("Finished the search for the target in {line}", line=name),
+            gettext_lazy("Search for the target in {line} finished", line=name),
         ),
     )
     return found, {name: as_message(reason.reason) for name, reason in missing.items()}
