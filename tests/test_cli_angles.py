@@ -111,7 +111,7 @@ def test_correction_to_present_settings(capsys) -> None:
     text = said(capsys, *words)
     assert row(text, "current") == [0.1, 1.0, -3.0]
     assert row(text, "ENTER") == [0.125, 1.192, 0.276]
-    assert "Do not add the angles: current + correction would be 0.0101 deg off" in text
+    assert "Do not add the angles: the sum would be wrong by 0.0101 deg" in text
     found = answer(capsys, *words)["correction"]
     assert found["side"] == "left"
     turns = {
@@ -230,8 +230,8 @@ def test_wrong_usage(capsys, tmp_path: Path) -> None:
     assert "three numbers" in refused(capsys, 1, "two", 3, code=2)
     assert "finite" in refused(capsys, 1, "inf", 3, code=2)
     assert "--current" in refused(capsys, 1, 2, 3, "--current-applied", code=2)
-    assert "its own lever arm" in refused(capsys, tmp_path, "--lever", 1, 2, 3, code=2)
-    assert "one of them" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
+    assert "contains its lever arm" in refused(capsys, tmp_path, "--lever", 1, 2, 3, code=2)
+    assert "give only one of" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
 
 
 def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
@@ -275,7 +275,7 @@ def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
     assert found["correction"]["new_deg"] is None
     text = said(capsys, *words, "--current-matrix", *numbers)
     assert "new = correction · current" in text
-    assert "replaces the current one" in text
+    assert "replaces the current matrix" in text
 
 
 def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path) -> None:
@@ -315,6 +315,6 @@ def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> Non
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
     assert "Give 9 or 16" in refused(capsys, *words, 1, 0, 0)
     assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
-    assert "one of them" in refused(
+    assert "give only one of" in refused(
         capsys, *words, *np.eye(3).ravel(), "--current", 1, 2, 3, code=2
     )

@@ -128,7 +128,7 @@ def test_the_nearest_point_knows_no_radius(
 ) -> None:
     code, _, error = run(capsys, "validate", tmp_path, "--distance-to", "point", "--radius", "1")
     assert code == 2
-    assert "knows no --radius" in error
+    assert "do not apply to --distance-to point" in error
 
 
 def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:
