@@ -372,9 +372,9 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
     assert "there is only one line" in notes["targetless"]
-    assert "has not been asked" not in err
+    assert "no result of" not in err
     _, err = told(capsys, "compare", project.folder)
-    assert err.count("has not been asked") == 3
+    assert err.count("no result of") == 3
     bare = replace(project, result=None)
     write_project(bare)
     assert "use --compute" in refused(capsys, "compare", project.folder)

@@ -151,4 +151,4 @@ def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
     path.write_text(json.dumps(stored))
     older: PlaneComparison = read_project(project.folder).validation[0]
     assert older.maps == ()
-    assert "validate again" in map_figure(older).axes[0].texts[0].get_text()
+    assert "Run the validation again" in map_figure(older).axes[0].texts[0].get_text()

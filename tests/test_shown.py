@@ -145,7 +145,7 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
     print_result(one, None)
     printed = capsys.readouterr().out
     assert "1 sighting, 1 target, " in printed
-    assert "(1 stray left out)" in printed
+    assert "(1 outlier excluded)" in printed
 
 
 @pytest.mark.parametrize(
