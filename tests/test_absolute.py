@@ -246,7 +246,7 @@ def test_surveyed_points_and_planes(
 
     content = sample_content(sample.with_absolute(check))
     (section,) = (
-        s for s in document_of(content, {}).sections if s.title == "Check against a reference"
+        s for s in document_of(content, {}).sections if s.title == "Check against the reference"
     )
     (listed,) = (b for b in section.blocks if isinstance(b, Table) and "Surveyed" in b.title)
     assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
@@ -348,7 +348,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     assert content.files[-1].sha256 == check.sha256
     assert followed(json_text(content))["absolute"]["reference"] == check.reference
     (section,) = (
-        s for s in document_of(content, {}).sections if s.title == "Check against a reference"
+        s for s in document_of(content, {}).sections if s.title == "Check against the reference"
     )
     tables = [block for block in section.blocks if isinstance(block, Table)]
     shown = tables[0].rows[-1]
@@ -366,7 +366,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     older = read_project(project.folder)
     assert older.absolute is None
     titles = [s.title for s in document_of(sample_content(older), {}).sections]
-    assert "Check against a reference" not in titles
+    assert "Check against the reference" not in titles
 
 
 def test_the_command(

@@ -75,7 +75,7 @@ def undrawn_document(
         _section(gettext("Cross-checks"), cross_checks(content)),
         _section(gettext("Validation"), validation(content)),
         _section(gettext("Alternative methods"), second_opinions(content)),
-        _section(gettext("Check against a reference"), absolute(content)),
+        _section(gettext("Check against the reference"), absolute(content)),
         _section(gettext("Site and lines"), sections.site(content)),
         _section(gettext("Settings and input files"), settings(content)),
         _section(gettext("Pictures"), _views(pictures)),
