@@ -223,7 +223,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
         x, y = axes.transData.transform((-38.0, 0.0))
         MouseEvent("motion_notify_event", dialog.canvas, x, y)._process()
         said = dialog.reading.text()
-        assert "at -40 deg" in said
+        assert "of -40 deg" in said
         driver.bot.mouseClick(dialog.copy_numbers, Left)
         heads, *rows = QGuiApplication.clipboard().text().splitlines()
         assert heads.split("\t")[3] == "45 deg"
