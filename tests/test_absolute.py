@@ -248,7 +248,7 @@ def test_surveyed_points_and_planes(
     (section,) = (
         s for s in document_of(content, {}).sections if s.title == "Check against the reference"
     )
-    (listed,) = (b for b in section.blocks if isinstance(b, Table) and "Surveyed" in b.title)
+    (listed,) = (b for b in section.blocks if isinstance(b, Table) and "surveyed points" in b.title)
     assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
     assert listed.rows[2][2] == "2.0"
     assert listed.rows[2][4].replace("\N{MINUS SIGN}", "-") == f"{1000 * found['BOARD'].after:+.1f}"
