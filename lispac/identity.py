@@ -75,17 +75,17 @@ LABELS = {
 """What the fields are called wherever they are shown."""
 
 HINTS = {
-    "surveyor": "who answers for the calibration",
-    "company": "the surveyor's company",
+    "surveyor": "person responsible for the calibration",
+    "company": "company of the surveyor",
     "vessel": "name of the vessel",
-    "site": "where the lines were run",
+    "site": "name of the survey site",
     "scanner": "maker and model of the LiDAR",
-    "scanner_serial": "its serial number",
+    "scanner_serial": "serial number of the LiDAR",
     "pos": "maker and model of the INS/GNSS",
-    "pos_serial": "its serial number",
-    "dates": "day or days of the survey, 2026-03-04 for example",
-    "lever_arm_origin": "how the lever arm was found: tacheometer in dock, 2026-03-04, for example",
-    "remarks": "what else the reader should know",
+    "pos_serial": "serial number of the INS/GNSS",
+    "dates": "dates of the survey, e.g. 2026-03-04",
+    "lever_arm_origin": "origin of the lever arm, e.g. total station survey in dock, 2026-03-04",
+    "remarks": "other information for the reader of the report",
 }
 """What belongs into each field."""
 

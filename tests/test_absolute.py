@@ -245,8 +245,10 @@ def test_surveyed_points_and_planes(
     assert check.together.before.distances.rms > 2 * check.together.after.distances.rms
 
     content = sample_content(sample.with_absolute(check))
-    (section,) = (s for s in document_of(content, {}).sections if s.title == "Absolute check")
-    (listed,) = (b for b in section.blocks if isinstance(b, Table) and "Surveyed" in b.title)
+    (section,) = (
+        s for s in document_of(content, {}).sections if s.title == "Check against the reference"
+    )
+    (listed,) = (b for b in section.blocks if isinstance(b, Table) and "surveyed points" in b.title)
     assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
     assert listed.rows[2][2] == "2.0"
     assert listed.rows[2][4].replace("\N{MINUS SIGN}", "-") == f"{1000 * found['BOARD'].after:+.1f}"
@@ -345,7 +347,9 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     content = sample_content(again)
     assert content.files[-1].sha256 == check.sha256
     assert followed(json_text(content))["absolute"]["reference"] == check.reference
-    (section,) = (s for s in document_of(content, {}).sections if s.title == "Absolute check")
+    (section,) = (
+        s for s in document_of(content, {}).sections if s.title == "Check against the reference"
+    )
     tables = [block for block in section.blocks if isinstance(block, Table)]
     shown = tables[0].rows[-1]
     together = check.together.after
@@ -362,7 +366,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     older = read_project(project.folder)
     assert older.absolute is None
     titles = [s.title for s in document_of(sample_content(older), {}).sections]
-    assert "Absolute check" not in titles
+    assert "Check against the reference" not in titles
 
 
 def test_the_command(

@@ -398,7 +398,7 @@ def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> 
     whole = surveyed(SMALL, 14)
     part = surveyed(SMALL, 14, enough=6, progress=cancelled_after(8))
     assert np.array_equal(part.errors, whole.errors[:8])
-    assert str(headline("Pier", part, 14)) == "Pier: cancelled after 8 of 14 surveys"
+    assert str(headline("Pier", part, 14)) == "Pier: cancelled after 8 of 14 simulated surveys"
     assert str(headline("Pier", whole, 14)) == "Pier: 14 surveys simulated and adjusted"
     for enough in (6, None):
         with pytest.raises(Cancelled):

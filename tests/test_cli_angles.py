@@ -66,11 +66,11 @@ def test_to_applanix(capsys) -> None:
     text = said(capsys, 0.4395, -1.8681, 0.3992, "--to", "applanix",
                 "--lever", -0.185596, 0.037658, 2.419063)  # fmt: skip
     assert row(text, "given") == [0.4395, -1.8681, 0.3992]
-    assert row(text, "TYPE IN") == [0.4395, 1.8681, 0.3992]
+    assert row(text, "ENTER") == [0.4395, 1.8681, 0.3992]
     assert "Applanix POS MV, LVX, POSPac: verified" in text
     assert "X forward -0.1856 m, Y starboard -0.0377 m, Z down -2.4191 m" in text
-    assert "looks 1.868 deg bow up" in text
-    assert "turned 0.399 deg to starboard" in text
+    assert "is pitched 1.868 deg bow up" in text
+    assert "yawed 0.399 deg to starboard" in text
 
 
 def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
@@ -87,7 +87,7 @@ def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.status != "verified"])
 def test_nothing_that_is_assumed_is_called_type_in(capsys, key: str) -> None:
     text = said(capsys, 0.1, -0.2, 0.3, "--to", key)
-    assert "TYPE IN" not in text
+    assert "ENTER" not in text
     assert "ASSUMED:" in text.split("\nTO ")[1]
     assert answer(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
 
@@ -110,8 +110,8 @@ def test_correction_to_present_settings(capsys) -> None:
     words = (0.125, -1.192, 0.276, "--to", "applanix", "--current", 0.1, 1.0, -3)
     text = said(capsys, *words)
     assert row(text, "current") == [0.1, 1.0, -3.0]
-    assert row(text, "TYPE IN") == [0.125, 1.192, 0.276]
-    assert "Do not add the angles: current + correction would be 0.0101 deg off" in text
+    assert row(text, "ENTER") == [0.125, 1.192, 0.276]
+    assert "Do not add the angles: the sum would be wrong by 0.0101 deg" in text
     found = answer(capsys, *words)["correction"]
     assert found["side"] == "left"
     turns = {
@@ -125,7 +125,7 @@ def test_correction_to_present_settings(capsys) -> None:
 
 def test_a_sum_that_is_good_enough_is_said_to_be(capsys) -> None:
     text = said(capsys, 0.01, -0.02, 0.01, "--to", "applanix", "--current", 0.01, 0.01, 0)
-    assert "less than 1 mm off at 100 m" in text
+    assert "less than 1 mm at 100 m" in text
     assert "Do not add" not in text
 
 
@@ -152,7 +152,7 @@ def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
     assert back["lever_arm_m"] == pytest.approx([-0.185596, 0.037658, 2.419063])
     file.write_text("1,0,0; 0,0,-1; 0,1,0")
     text = said(capsys, "--from-matrix", file)
-    assert row(text, "TYPE IN") == [90.0, 0.0, 0.0]
+    assert row(text, "ENTER") == [90.0, 0.0, 0.0]
     assert "lever arm" not in text
 
 
@@ -230,8 +230,8 @@ def test_wrong_usage(capsys, tmp_path: Path) -> None:
     assert "three numbers" in refused(capsys, 1, "two", 3, code=2)
     assert "finite" in refused(capsys, 1, "inf", 3, code=2)
     assert "--current" in refused(capsys, 1, 2, 3, "--current-applied", code=2)
-    assert "its own lever arm" in refused(capsys, tmp_path, "--lever", 1, 2, 3, code=2)
-    assert "one of them" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
+    assert "contains its lever arm" in refused(capsys, tmp_path, "--lever", 1, 2, 3, code=2)
+    assert "give only one of" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
 
 
 def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> None:
@@ -275,7 +275,7 @@ def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
     assert found["correction"]["new_deg"] is None
     text = said(capsys, *words, "--current-matrix", *numbers)
     assert "new = correction · current" in text
-    assert "replaces the current one" in text
+    assert "replaces the current matrix" in text
 
 
 def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path) -> None:
@@ -315,6 +315,6 @@ def test_a_present_matrix_that_is_none_is_refused(capsys, tmp_path: Path) -> Non
     words = (1, 2, 3, "--to", "applanix", "--current-matrix")
     assert "Give 9 numbers" in refused(capsys, *words, 1, 0, 0)
     assert "not a rotation" in refused(capsys, *words, *[1, 0, 0, 0, 2, 0, 0, 0, 1])
-    assert "one of them" in refused(
+    assert "give only one of" in refused(
         capsys, *words, *np.eye(3).ravel(), "--current", 1, 2, 3, code=2
     )

@@ -52,9 +52,9 @@ def test_three_surveys(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> No
     assert code == 0
     assert "+0.2000" in out
     assert "DIFFER" in out
-    assert "a point moves 3.5 cm at 10 m, 17.5 cm at 50 m, 34.9 cm at 100 m" in out
-    assert "scatter MORE than their sigmas explain" in out
-    assert "DIFFER (chance < 0.001)" in out
+    assert "point shift 3.5 cm at 10 m, 17.5 cm at 50 m, 34.9 cm at 100 m" in out
+    assert "scatter MORE than expected from their sigmas" in out
+    assert "DIFFER (p < 0.001)" in out
 
 
 def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -128,7 +128,7 @@ def test_the_nearest_point_knows_no_radius(
 ) -> None:
     code, _, error = run(capsys, "validate", tmp_path, "--distance-to", "point", "--radius", "1")
     assert code == 2
-    assert "knows no --radius" in error
+    assert "do not apply to --distance-to point" in error
 
 
 def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:

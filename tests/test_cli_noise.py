@@ -90,7 +90,7 @@ def test_noise_and_offsets_of_plane_files(
     assert np.abs(angles(longer) - angles(axis)).max() > 0.001
     code, out, err = run(capsys, *words, "--latency", 0.01)
     assert (code, out) == (2, "")
-    assert "--latency goes with a project" in err
+    assert "--latency requires a project" in err
 
 
 @pytest.mark.parametrize(

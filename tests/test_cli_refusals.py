@@ -16,11 +16,12 @@ PLANES = ["estimate", "--planes", "a.txt", "--lever-arm", "0", "0", "0"]
         (["patchtest", "p", "--object", "pole=1,2,3,4,5,6", "--object", "pole=1,2,3,4,5,7"],
          "patchtest: two objects have the same name."),
         (["patchtest", "p", "--count", "0"],
-         "patchtest: give objects with --object, or look for some with --count."),
+         "patchtest: give objects with --object, or detect some with --count."),
         (["patchtest", "p", "--object", "pole=here"],
          "patchtest: pole=here is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."),
         ([*PLANES, "--latency", "0.01"],
-         "estimate: --latency goes with a project; plane files hold positions already read."),
+         "estimate: --latency requires a project; plane files already contain interpolated "
+         "positions."),
         ([*PLANES, "--estimate", "latency=soon"],
          "estimate: 'soon' in latency=soon is not a number."),
         (["angles", "1", "two", "3"], "angles: 1 two 3 are not three numbers."),
@@ -67,7 +68,7 @@ def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
     words = ("angles", "--from-matrix", matrix, "--to", "lispac")
     code, out, err = run(capsys, *words, "--lever", 1, 2, 3)
     assert (code, out) == (2, "")
-    assert err == "lispac: angles: the 4x4 matrix holds the lever arm; leave --lever out.\n"
+    assert err == "lispac: angles: the 4x4 matrix contains the lever arm; omit --lever.\n"
     assert run(capsys, *words)[0] == 0
 
 

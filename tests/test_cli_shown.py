@@ -55,7 +55,7 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
     }
     print_doubtful(found)
     assert capsys.readouterr().out.splitlines() == [
-        "", "Sightings that are less than good:",
+        "", "Sightings of doubtful or poor quality:",
         "- T2 on L1: Poor. The points cover only 40 % of the area within the outline.",
         "- T1 on L2: Doubtful. The sighting has only 48 points.",
     ]  # fmt: skip
@@ -252,14 +252,14 @@ def test_a_budget_shows_what_nobody_knows(
 ) -> None:
     known = ErrorSource("POS position", (PointError(0.012, 0.02, 0.01, 0.03),))
     unknown = ErrorSource("Lever arm", None)
-    beam = BeamErrors("level to starboard", (known, unknown), known, known)
+    beam = BeamErrors("horizontal, to starboard", (known, unknown), known, known)
     found = Budget((50.0,), (beam,), (note("budget.no_latency"),))
     monkeypatch.setattr(budget, "load_survey", lambda *_, **__: None)
     monkeypatch.setattr(budget, "budget_of", lambda *_, **__: None)
     monkeypatch.setattr(budget, "Budget", SimpleNamespace(of=lambda _: found))
     write_project(sample_project(tmp_path))
     rows = told(capsys, "budget", tmp_path)[0].splitlines()
-    assert rows[0].split() == ["beam", "level", "to", "starboard", "at", "50", "m"]
+    assert rows[0].split() == ["beam", "horizontal,", "to", "starboard", "at", "50", "m"]
     assert rows[2].split() == ["POS", "position", "1.20", "2.00", "1.00"]
     assert rows[3].split() == ["Lever", "arm", "not", "known"]
     assert len(rows[3]) == len(rows[2])

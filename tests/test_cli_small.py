@@ -358,7 +358,7 @@ def test_nothing_to_warn_of_is_said(
     at_hand(warnings)
     monkeypatch.setattr(warnings, "qualities", lambda *_, **__: {})
     monkeypatch.setattr(warnings, "warnings_of", lambda *_: ())
-    assert told(capsys, "warnings", project.folder) == ("Nothing to warn of.\n", "")
+    assert told(capsys, "warnings", project.folder) == ("No warnings.\n", "")
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}
 
 
@@ -374,9 +374,9 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
     assert "the project has only one line" in notes["targetless"]
-    assert "has not been asked" not in err
+    assert "no result of" not in err
     _, err = told(capsys, "compare", project.folder)
-    assert err.count("has not been asked") == 3
+    assert err.count("no result of") == 3
     bare = replace(project, result=None)
     write_project(bare)
     assert "use --compute" in refused(capsys, "compare", project.folder)

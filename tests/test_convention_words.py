@@ -23,41 +23,42 @@ def arm(lever_arm: tuple[float, float, float]) -> str:
 def test_a_steep_pitch_is_told_by_the_axes() -> None:
     """There roll and yaw are turns about the same axis and say little alone."""
     assert said(np.radians([0.0, 90.0, 0.0])) == (
-        "The scanner's axes point: X down, Y port, Z forward."
+        "Directions of the scanner axes: X down, Y port, Z forward."
     )
     rotation = rotation_matrix(*np.radians([-57.9, 89.3, 58.2]))
     cosine = min(-rotation[2, 0], rotation[1, 1], rotation[0, 2])
     off = f"{np.degrees(np.arccos(cosine)):.3f}"
     assert said(angles_of(rotation)) == (
-        f"The scanner's axes point: X down, Y port, Z forward, off by {off} deg at most."
+        f"Directions of the scanner axes: X down, Y port, Z forward, with deviations up to {off} "
+        "deg."
     )
 
 
 def test_a_boresight_in_a_sentence() -> None:
     assert said(np.radians([0.13, -0.12, 0.28])) == (
-        "The scanner looks 0.120 deg bow up, is turned 0.280 deg to starboard and leans 0.130 deg "
-        "with its left side up."
+        "The scanner is pitched 0.120 deg bow up, is yawed 0.280 deg to starboard and is rolled "
+        "0.130 deg left side up."
     )
     assert said(np.radians([-0.13, 0.12, -0.28])) == (
-        "The scanner looks 0.120 deg bow down, is turned 0.280 deg to port and leans 0.130 deg "
-        "with its right side up."
+        "The scanner is pitched 0.120 deg bow down, is yawed 0.280 deg to port and is rolled "
+        "0.130 deg right side up."
     )
     assert said(np.zeros(3)) == "The scanner is parallel to the body."
-    assert said(np.radians([0, 0, 0.0251])) == ("The scanner is turned 0.0251 deg to starboard.")
-    assert "(first turned, then pitched, then rolled)" in said(np.radians([5, 0, 90]))
+    assert said(np.radians([0, 0, 0.0251])) == "The scanner is yawed 0.0251 deg to starboard."
+    assert "(order of rotations: yaw, pitch, roll)" in said(np.radians([5, 0, 90]))
 
 
 def test_angles_are_said_with_as_many_decimals_as_each_other() -> None:
     assert said(np.radians([0.2, 1.178, 0.3])) == (
-        "The scanner looks 1.178 deg bow down, is turned 0.300 deg to starboard and leans 0.200 "
-        "deg with its left side up."
+        "The scanner is pitched 1.178 deg bow down, is yawed 0.300 deg to starboard and is rolled "
+        "0.200 deg left side up."
     )
     assert said(np.radians([0, 1.2, 0.0251])) == (
-        "The scanner looks 1.200 deg bow down and is turned 0.0251 deg to starboard."
+        "The scanner is pitched 1.200 deg bow down and is yawed 0.0251 deg to starboard."
     )
     assert said(np.radians([1e-6, 1.178, 90])) == (
-        "The scanner looks 1.178 deg bow down and is turned 90.000 deg to starboard (first turned, "
-        "then pitched, then rolled)."
+        "The scanner is pitched 1.178 deg bow down and is yawed 90.000 deg to starboard (order of "
+        "rotations: yaw, pitch, roll)."
     )
 
 
@@ -118,11 +119,12 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
 def test_what_is_taken_for_the_axes_of_the_scanner_is_said() -> None:
     opals = Setup(next(each for each in SYSTEMS if each.key == "opals"))
     assert str(opals.scanner_axes(rotation_matrix(0.01, 0.02, np.pi / 2))) == (
-        "An axis permutation (mounting) first turns the raw scanner axes to those of the body; the "
-        "angles contain the rest. Mounting here: scanner X starboard, Y forward, Z up."
+        "An axis permutation (mounting) first maps the raw scanner axes to the body axes; the "
+        "angles are the remaining rotation. Mounting used: scanner axes X starboard, Y forward, "
+        "Z up."
     )
     kept = Setup(next(each for each in SYSTEMS if each.key == "pdal"))
-    assert str(kept.scanner_axes(np.eye(3))) == "The scanner's axes stay those of the raw points."
+    assert str(kept.scanner_axes(np.eye(3))) == "The scanner axes are those of the raw points."
 
 
 def test_open_axes_say_what_was_taken() -> None:

@@ -134,10 +134,10 @@ def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
     write_tables(sample_content(project), tmp_path / "r.zip")
     with zipfile.ZipFile(tmp_path / "r.zip") as archive:
-        (name,) = (n for n in archive.namelist() if n.endswith("map-of-v1-l1-from-l2.csv"))
+        (name,) = (n for n in archive.namelist() if n.endswith("map-of-v1-l1-relative-to-l2.csv"))
         rows = list(csv.reader(archive.read(name).decode("utf-8-sig").splitlines()))
     found = project.validation[0].maps[0]
-    assert rows[0] == ["Across (m)", "Up (m)", "Before (mm)", "After (mm)"]
+    assert rows[0] == ["Horizontal (m)", "Up (m)", "Before (mm)", "After (mm)"]
     values = np.array(rows[1:], dtype=float)
     np.testing.assert_allclose(values[:, 2], 1000 * found.before, atol=0.005)
     write_project(project)
@@ -151,4 +151,4 @@ def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:
     path.write_text(json.dumps(stored))
     older: PlaneComparison = read_project(project.folder).validation[0]
     assert older.maps == ()
-    assert "validate again" in map_figure(older).axes[0].texts[0].get_text()
+    assert "Run the validation again" in map_figure(older).axes[0].texts[0].get_text()

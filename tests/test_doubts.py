@@ -306,7 +306,7 @@ def test_a_sound_answer_leaves_no_doubt(
     assert doubts(result, checks) == ()
     assert result_words.verdict(result, checks).endswith("The uncertainties can be used.")
     print_result(result, checks)
-    assert "To know before" not in capsys.readouterr().out
+    assert "Warnings and notes:" not in capsys.readouterr().out
 
 
 def test_a_value_that_was_stated_and_found_does_not_go_into_a_large_sigma(project: Project) -> None:

@@ -113,14 +113,14 @@ def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> No
     moved = np.column_stack([late[:, 0] * own.speed * signs[:, 0], np.zeros((DRAWS, 2))])
     turned = late * own.rates * signs[:, 1:]
     expected = {
-        "GNSS position": spread(position=position),
+        "POS position": spread(position=position),
         "LiDAR range": spread(lidar=of_range),
         "LiDAR beam angle": spread(lidar=of_beam),
         "Lever arm": spread(lever=lever),
         "Latency": spread(position=moved, attitude=turned),
-        "Boresight after": spread(boresight=estimated[:, :3]),
-        "Boresight before": spread(boresight=np.tile(-mounting.boresight, (DRAWS, 1))),
-        "All together, after": spread(
+        "Boresight after calibration": spread(boresight=estimated[:, :3]),
+        "Boresight before calibration": spread(boresight=np.tile(-mounting.boresight, (DRAWS, 1))),
+        "Total after calibration": spread(
             position=position + moved, attitude=attitude + turned, lidar=of_range + of_beam,
             lever=lever, boresight=estimated[:, :3],
         ),
@@ -128,7 +128,7 @@ def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> No
     for k, name in enumerate(("roll", "pitch", "heading")):
         expected[f"POS {name}"] = spread(attitude=attitude * np.eye(3)[k])
     found = by_name(error_budget(own, [distance]), beam)
-    assert set(found) == {*expected, "All together, before"}
+    assert set(found) == {*expected, "Total before calibration"}
     for name, wanted in expected.items():
         (got,) = found[name].spreads or ()
         for part, value in asdict(wanted).items():
@@ -154,12 +154,12 @@ def test_the_figures_of_thesis_table_1_3() -> None:
         ),
         [50.0],
     )
-    found = by_name(budget, "level to starboard")
+    found = by_name(budget, "horizontal, to starboard")
     total = {name: each.spreads[0].total for name, each in found.items() if each.spreads}
-    assert total["GNSS position"] == pytest.approx(0.013)
+    assert total["POS position"] == pytest.approx(0.013)
     assert total["LiDAR range"] == pytest.approx(0.009)
     assert total["Lever arm"] == pytest.approx(0.02)
-    assert total["Boresight before"] == pytest.approx(1.05, abs=0.005)
+    assert total["Boresight before calibration"] == pytest.approx(1.05, abs=0.005)
     imu = np.sqrt(sum(total[f"POS {name}"] ** 2 for name in ("roll", "pitch", "heading")))
     assert imu == pytest.approx(np.sqrt(2) * 50 * np.radians(0.01), rel=1e-6)
     assert np.sqrt(3 / 2) * imu == pytest.approx(0.015, abs=0.0002)
@@ -168,15 +168,15 @@ def test_the_figures_of_thesis_table_1_3() -> None:
 def test_what_is_not_known_is_said_and_not_counted() -> None:
     without = system(estimated=("roll", "pitch", "yaw"), covariance=1e-7 * np.eye(3), lidar=0.005)
     budget = error_budget(without)
-    found = by_name(budget, "level to starboard")
+    found = by_name(budget, "horizontal, to starboard")
     assert found["Lever arm"].spreads is None
     codes = {each.code for each in budget.assumptions}
     assert {"budget.lever_arm_unknown", "budget.no_latency"} <= codes
     stated = by_name(
-        error_budget(replace(without, lever_arm=np.full(3, 0.05))), "level to starboard"
+        error_budget(replace(without, lever_arm=np.full(3, 0.05))), "horizontal, to starboard"
     )
     for k in range(3):
-        less, more = (each["All together, after"].spreads[k].total for each in (found, stated))
+        less, more = (each["Total after calibration"].spreads[k].total for each in (found, stated))
         assert more == pytest.approx(np.sqrt(less**2 + 3 * 0.05**2))
     for distances in ([], [0.0], [-1.0], [float("nan")]):
         with pytest.raises(InputError, check=has_code("adjustment.budget_distances")):
@@ -204,7 +204,7 @@ def test_the_command_and_the_report_say_the_same(
     assert len(tables) == len(BEAMS)
     last = tables[0].rows[-1]
     at_50 = found["beams"][0]["after"]["at_distance"][1]
-    assert last[0] == "All together, after"
+    assert last[0] == "Total after calibration"
     assert last[4] == f"{100 * at_50['horizontal_m']:.2f}"
     assert last[6] == f"{100 * at_50['across_beam_m']:.2f}"
     assert any(

@@ -59,8 +59,8 @@ def test_the_tables_say_what_the_plan_says() -> None:
     )
     said = words(field_plan(plan, wall, "Quai Bickerdike", ["Ask the harbour master first."]))
     for text in (
-        "Quai Bickerdike", "left", "\u22123.25", "90, upright", "50, leans forward", "+0.50",
-        "ball, r 0.145", "1.00 x 0.80", "1, 2", "12.5", "starboard", "port", "0.7", "335",
+        "Quai Bickerdike", "left", "\u22123.25", "90, vertical", "50, tilted forward", "+0.50",
+        "sphere, r 0.145", "1.00 x 0.80", "1, 2", "12.5", "starboard", "port", "0.7", "335",
     ):  # fmt: skip
         assert text in said, text
     assert any("Ask the harbour master first." in text for text in said)

@@ -116,7 +116,7 @@ def test_the_command_prints_draws_and_lists(
     assert np.sqrt(np.mean(values**2)) == pytest.approx(rows["all"]["rmsd_m"], abs=1e-4)
     code, out, _ = run(capsys, "quality", project.folder)
     assert code == 0
-    assert "Lines placed with the prior boresight" in out
+    assert "prior boresight, mm" in out
     assert "RMSD" in out
     assert "have not been estimated" in refused(
         capsys, "quality", project.folder, "--with", "estimated"

@@ -91,7 +91,7 @@ def test_a_comparison_of_an_earlier_version_has_no_profile(project: Project) -> 
     old = profile_figure(replace(plane, by_height=None, by_range=None))
     (axes,) = old.axes
     assert [text.get_text() for text in axes.texts] == [
-        "Made by an earlier version: validate again"
+        "This result is from an earlier version. Run the validation again."
     ]
     assert [axes.get_xlabel() for axes in profile_figure(plane).axes] == ["Height (m)", "Range (m)"]
 
@@ -130,13 +130,13 @@ def test_what_the_lines_see_is_left_out_where_it_was_not_worked_out(project: Pro
     for observability, told, has_table in cases:
         result = replace(project.result, observability=observability)
         blocks = boresight_section.boresight(sample_content(replace(project, result=result)))
-        assert ("How well the lines determine the angles:" in _text(blocks)) == told
+        assert ("Observability of the angles on these lines:" in _text(blocks)) == told
         assert (head in _titles(blocks)) == has_table
 
 
 def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
     assert project.cross_checks is not None
-    excuse = "left out needs at least three"
+    excuse = "omitted requires at least three"
     known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
     for checks, said in ((project.cross_checks, True), (known, False)):
         content = sample_content(replace(project, cross_checks=checks))
@@ -146,9 +146,9 @@ def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
 def test_a_site_that_nothing_is_known_of_is_not_drawn(content: ReportContent) -> None:
     tracks = tuple(replace(line, track_local_m=()) for line in content.lines)
     drawn = sections.site(content)
-    assert "Plan of the site, local frame." in _titles(drawn)
+    assert "Site plan in the local frame." in _titles(drawn)
     bare = sections.site(replace(content, lines=tracks, planes=()))
-    assert "Plan of the site, local frame." not in _titles(bare)
+    assert "Site plan in the local frame." not in _titles(bare)
     assert "Lines" in _titles(bare)
 
 
@@ -162,4 +162,4 @@ def test_sightings_held_to_one_shape_are_said_to_be(project: Project) -> None:
             for row in block.rows
             for cell in row
         ]
-        assert any(cell.startswith("none: each sighting follows") for cell in cells) == said
+        assert any(cell.startswith("zero: all sightings of a target") for cell in cells) == said

@@ -81,22 +81,22 @@ def _settings(content: ReportContent) -> dict[str, str]:
 def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     said = _settings(sample_content(project))
     assert said["POS errors"].startswith("Correlated. All points of one sighting share")
-    assert said["Correlation times, position, attitude"].startswith(
-        "300 s, 600 s: duration of a POS error"
+    assert said["Correlation times (position, attitude)"].startswith(
+        "300 s and 600 s: time over which a POS error persists"
     )
     assert said["Surface sigma"].startswith("0.4\u00a0mm, estimated from the data")
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
-    assert said["LiDAR noise found"] == "not above the given noise on any target"
+    assert said["Estimated LiDAR noise"] == "not larger than the given noise on any target"
     first, second = _result(project).targets
     noisy = changed(
         targets=(first, replace(second, noise=1.42)),
         model=StochasticModel(surface=0.0004, loss="tukey"),
     )
     said = _settings(noisy)
-    assert said["LiDAR noise found"].startswith(
-        "1.4\u00a0times (T2) the given noise, in the residuals; the sigmas"
+    assert said["Estimated LiDAR noise"].startswith(
+        "1.4\u00a0times (T2) the given noise; the sigmas"
     )
-    assert "T1" not in said["LiDAR noise found"]
+    assert "T1" not in said["Estimated LiDAR noise"]
     assert said["Surface sigma"].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in said["Outliers"]
     assert "adjustment.noise" not in {caution.code for caution in noisy.cautions}
@@ -108,7 +108,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
 @pytest.mark.parametrize(
     ("stated", "shown"),
     [
-        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, direction of the beam 0.0200 deg"),
+        ({"lidar_beam_sigma": (0.006, 0.02)}, "range 6.0 mm, beam direction 0.0200 deg"),
         ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
     ],
 )
@@ -120,7 +120,7 @@ def test_lidar_noise_as_stated(project: Project, stated: dict[str, Any], shown: 
 def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> None:
     for content, word in (
         (sample_content(project), "averaged"),
-        (sample_content(sample_project(tmp_path / "p", model="independent")), "selected"),
+        (sample_content(sample_project(tmp_path / "p", model="independent")), "thinned"),
     ):
         facts = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
         assert facts["Point spacing"].startswith(word)
@@ -133,7 +133,7 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
         Component("POS attitude", 1.3, 0.6, 2.9),
     )
     table = _tables(document_of(changed(components=found), {}))[
-        "Variance components: estimated over given sigmas"
+        "Variance components: ratio of estimated to given sigmas"
     ]
     assert table.rows[0] == (
         "LiDAR",
@@ -150,7 +150,7 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
 
 def test_extra_parameters(project: Project, changed: Changed) -> None:
     document = document_of(sample_content(project), {})
-    row = _tables(document)["Values estimated with the boresight"].rows[0]
+    row = _tables(document)["Parameters estimated together with the boresight"].rows[0]
     assert row == (
         "Lever arm X", "\u22120.1856\u00a0m", "not given", "\u22120.2017\u00a0m", "0.0048\u00a0m",
         "\u22123.4", "significant",
@@ -166,8 +166,10 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert "not estimated. The given value is used. Do not" in _caution(
         content, "report.parameter_not_seen"
     )
-    rows = _tables(document_of(content, {}))["Values estimated with the boresight"].rows
-    assert rows[1][-1] == "kept as given"
+    rows = _tables(document_of(content, {}))[
+        "Parameters estimated together with the boresight"
+    ].rows
+    assert rows[1][-1] == "not estimated, given value used"
     assert rows[2][2] == "2.00\u00a0ms"
 
 
@@ -176,7 +178,7 @@ def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path)
         blocks = document_of(content, {}).sections[0].blocks
         return [block.caption for block in blocks if block.kind == "picture"]
 
-    assert captions(sample_content(project)) == ["Correlations of all estimated values."]
+    assert captions(sample_content(project)) == ["Correlations of all estimated parameters."]
     assert captions(sample_content(sample_project(tmp_path / "p", model="independent"))) == []
 
 
@@ -197,7 +199,7 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
     row = _tables(document)["Agreement of the sightings"].rows[0]
     assert row[2:8] == ("\u2013",) * 6
     assert row[-1] == "not checked"
-    assert "Checked by no other data: T1 on line L1." in _words(
+    assert "Not checked by other data: T1 on line L1." in _words(
         document, "Reliability of the sightings"
     )
 
@@ -218,14 +220,14 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     checks = project.cross_checks
     assert checks is not None
     plain = _tables(document_of(sample_content(project), {}))
-    rows = plain["Results of parts of the data, as differences from the whole"].rows
+    rows = plain["Results of subsets of the data: differences from the full adjustment"].rows
     assert [row[0] for row in rows[-3:]] == [
-        "Without target T1", "Without target T2", "First minus second half",
+        "Without target T1", "Without target T2", "First half minus second half",
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
     words = _words(document_of(sample_content(project), {}), "Cross-checks")
     assert "Without target T1: All targets are planes of the same orientation" in words
-    assert "The spread with one target left out needs at least three targets" in words
+    assert "The spread with one target omitted requires at least three targets" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
@@ -263,7 +265,7 @@ def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
     ]
     assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
     shown = _tables(document_of(picked, {}))[
-        "Targets and validation planes as picked (seed in the local frame)"
+        "Targets and validation planes (coordinates of the seed in the local frame)"
     ]
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
 
@@ -278,7 +280,7 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     assert "The standard deviation of roll does not depend on any single line." in _words(
         document, "Boresight and its uncertainty"
     )
-    assert "No part of the data" in _words(document, "Cross-checks")
+    assert "not repeated with subsets" in _words(document, "Cross-checks")
     data = json.loads(json_text(content))
     assert data["adjustment"]["reliability"] == []
     assert data["cross_checks"] is None
@@ -355,7 +357,7 @@ def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
         other = replace(project, settings=replace(project.settings, accept_one_facing=accepted))
         content = sample_content(other)
         shown = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
-        assert ("Targets that all face one way" in shown) == accepted
+        assert ("Targets that all face the same way" in shown) == accepted
         assert json.loads(json_text(content))["settings"]["accept_one_facing"] == accepted
 
 
@@ -370,7 +372,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
         generated=MADE,
     )  # fmt: skip
     table = _tables(document_of(content, {}))["Quality of each sighting"]
-    assert [row[-1].endswith("Its points were edited by hand.") for row in table.rows] == [
+    assert [row[-1].endswith("were edited manually.") for row in table.rows] == [
         False, True,
     ]  # fmt: skip
     assert [row[-2] for row in table.rows] == ["51", "51"]

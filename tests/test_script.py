@@ -125,7 +125,7 @@ def test_everything_that_is_done_to_targets_comes_back(
 
     script = made(quay)
     assert script.remarks == ()
-    assert "points of it were added or taken away by hand" in script.text
+    assert "its points were edited manually" in script.text
     # One seed a line is more than one seed can say.
     assert script.text.count("project.put(") == 2
     assert script.text.count("project.seed(") == 3

@@ -181,7 +181,7 @@ def test_the_list_has_every_sensor_with_its_source(
     code, out, _ = run(capsys, "sensors")
     assert code == 0
     assert "8.7 mm   0.0200 deg   0.50 mrad  Z+F PROFILER 9012" in out
-    assert f"{MINE.title} (your own)" in out
+    assert f"{MINE.title} (user-defined)" in out
     assert out.count(NOT_VERIFIED) >= 5
 
 

@@ -111,15 +111,15 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     checks = replace(checks, parts=odd)
     print_result(result, checks)
     printed = capsys.readouterr().out
-    assert "\nSpread, one line left out " in printed
+    assert "\nSpread, one line omitted " in printed
     assert printed.count("half") == 1
-    assert "first half minus second half of the data (roll " in printed
-    assert "Spread,<br>one line left out" in spread_words(checks)
+    assert "first minus second half (roll " in printed
+    assert "Spread,<br>one line omitted" in spread_words(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
-    assert [name for name in names if "half" in name] == ["First minus second half"]
+    assert [name for name in names if "half" in name] == ["First half minus second half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
-    assert any("Spread, one line left out" in row[0] for t in tables for row in t.rows)
+    assert any("Spread, one line omitted" in row[0] for t in tables for row in t.rows)
 
 
 def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> None:
@@ -129,7 +129,7 @@ def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> N
         second, boresight=None, difference=None, reason=note("cross_check.no_common_target")
     )
     for halves, names in (
-        ((first, lone), ["First half alone", "Second half alone"]),
+        ((first, lone), ["First half of the lines only", "Second half of the lines only"]),
         ((), []),
     ):
         rows = check_rows(replace(checks, parts=halves))
@@ -145,7 +145,7 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
     print_result(one, None)
     printed = capsys.readouterr().out
     assert "1 sighting, 1 target, " in printed
-    assert "(1 stray left out)" in printed
+    assert "(1 outlier excluded)" in printed
 
 
 @pytest.mark.parametrize(

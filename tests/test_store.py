@@ -68,9 +68,9 @@ def test_the_progress_counts_the_points_read_and_ordered(tmp_path: Path) -> None
         [0.6 * min(1.0, 1000 * k / whole) for k in range(1, len(reading) + 1)]
     )
     assert reading[0][1] == f"Reading L1: 1,000 of {whole:,} points"
-    ordering = [words for _, words in told if words.startswith("Ordering L1: ")]
-    assert ordering[0] == "Ordering L1: 0 of 6,300 points"
-    assert told[-1] == (1.0, "Ordering L1: writing to the disk")
+    ordering = [words for _, words in told if words.startswith("Sorting the points of L1: ")]
+    assert ordering[0] == "Sorting the points of L1: 0 of 6,300 points"
+    assert told[-1] == (1.0, "Sorting the points of L1: writing to disk")
 
 
 def test_fingerprint_is_that_of_the_points_in_memory(tmp_path: Path) -> None:

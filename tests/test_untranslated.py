@@ -55,14 +55,14 @@ NOT_SHOWN: dict[str, set[str]] = {
         "This file opens the LISPAC project in its folder.\n",
     },
     "the script of a project, and what its comments say, which is Python with English names": {
-        "Run it with the Python that LISPAC is installed in: python SCRIPT FOLDER makes "
-        "the project in that folder, python SCRIPT in the one named below.",
+        "Run it with the Python in which LISPAC is installed: python SCRIPT FOLDER creates "
+        "the project in FOLDER, python SCRIPT in the folder named below.",
         "Steps of the project 7, as LISPAC 7 wrote them.",
         "folder = Path(sys.argv[1] if len(sys.argv) > 1 else 7-again)",
         "from pathlib import Path",
-        "its seed leads to other points now: it was found with other lines, another "
-        "prior boresight, or proposed",
-        "points of it were added or taken away by hand",
+        "its points were edited manually",
+        "the search from its seed now gives other points, because it was found with other lines "
+        "or another prior boresight, or proposed automatically",
     },
     "names of other programs": {
         "Applanix POS MV, LVX, POSPac",
@@ -76,14 +76,17 @@ NOT_SHOWN: dict[str, set[str]] = {
         "a column of numbers has a header of one fixed size",
     },
     "help of the command line": {
-        "day or days of the survey, 2026-03-04 for example",
-        "how the lever arm was found: tacheometer in dock, 2026-03-04, for example",
+        "company of the surveyor",
+        "dates of the survey, e.g. 2026-03-04",
+        "origin of the lever arm, e.g. total station survey in dock, 2026-03-04",
         "maker and model of the INS/GNSS",
         "maker and model of the LiDAR",
         "name of the vessel",
-        "what else the reader should know",
-        "where the lines were run",
-        "who answers for the calibration",
+        "serial number of the INS/GNSS",
+        "serial number of the LiDAR",
+        "other information for the reader of the report",
+        "name of the survey site",
+        "person responsible for the calibration",
     },
     "keys": {
         "str | tuple[str, Menu]",

@@ -22,17 +22,17 @@ Array = NDArray[np.float64]
 DISTANCES = (10.0, 50.0, 100.0)
 """Metres from the scanner."""
 BEAMS: Mapping[str, tuple[float, float, float]] = {
-    N_("level to starboard"): (0.0, -1.0, 0.0),
-    N_("45 deg up to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
+    N_("horizontal, to starboard"): (0.0, -1.0, 0.0),
+    N_("45 deg upwards, to starboard"): (0.0, -float(np.sqrt(0.5)), float(np.sqrt(0.5))),
 }
 """Directions in the body frame (forward, left, up) of a vessel that sails north, level."""
-POSITION, RANGE = N_("GNSS position"), N_("LiDAR range")
+POSITION, RANGE = N_("POS position"), N_("LiDAR range")
 BEAM, LIDAR = N_("LiDAR beam angle"), N_("LiDAR noise")
 ATTITUDE = (N_("POS roll"), N_("POS pitch"), N_("POS heading"))
 LEVER, LATENCY = N_("Lever arm"), N_("Latency")
 OFFSETS = {"range_offset": N_("Range offset"), "scan_angle_offset": N_("Scan-angle offset")}
-BEFORE, AFTER = N_("Boresight before"), N_("Boresight after")
-TOTAL_BEFORE, TOTAL_AFTER = N_("All together, before"), N_("All together, after")
+BEFORE, AFTER = N_("Boresight before calibration"), N_("Boresight after calibration")
+TOTAL_BEFORE, TOTAL_AFTER = N_("Total before calibration"), N_("Total after calibration")
 """Sources of error, in English."""
 
 

@@ -172,7 +172,7 @@ def _differences(
     """
     found = []
     for part in parts:
-        progress(0.9, gettext_lazy("Adjusting without parts of the data"))
+        progress(0.9, gettext_lazy("Repeating the adjustment with subsets of the data"))
         with suppress(AdjustmentError, np.linalg.LinAlgError):
             found.append(_without(here, part))
     differences = np.array([answer - whole[0] for answer, _ in found]).reshape(-1, 3)

@@ -34,7 +34,7 @@ def angles(arguments: Namespace) -> None:
     target = _setup(arguments, arguments.to)
     current = _current(arguments, target)
     if current is None and arguments.current_applied:
-        raise UsageError("angles: --current-applied goes with --current or --current-matrix.")
+        raise UsageError("angles: --current-applied requires --current or --current-matrix.")
     new = replacement(
         target, given.mounting, given.covariance, current,
         applied=arguments.current_applied, has_lever_arm=given.has_lever_arm,
@@ -64,10 +64,10 @@ def _given(arguments: Namespace) -> ConversionInput:
     has_lever_arm = arguments.lever is not None
     if arguments.from_matrix is not None:
         if values:
-            raise UsageError("angles: give angles, a project or --from-matrix, one of them.")
+            raise UsageError("angles: give only one of angles, a project or --from-matrix.")
         rotation, shift = _read_matrix(arguments.from_matrix)
         if shift is not None and has_lever_arm:
-            raise UsageError("angles: the 4x4 matrix holds the lever arm; leave --lever out.")
+            raise UsageError("angles: the 4x4 matrix contains the lever arm; omit --lever.")
         lever_arm = lever_arm if shift is None else shift
         # Read as it is printed.
         mounting = mounting_of(setup, product_of_matrix(setup, rotation), lever_arm)
@@ -76,7 +76,9 @@ def _given(arguments: Namespace) -> ConversionInput:
         )
     if count == 1:
         if has_lever_arm or setup.convention.key != "lispac":
-            raise UsageError("angles: a project has its own lever arm and convention.")
+            raise UsageError(
+                "angles: a project contains its lever arm and convention; omit --lever and --from."
+            )
         return _of_project(Path(values[0]), setup)
     if count != 3:
         raise UsageError(
@@ -126,7 +128,7 @@ def _current(arguments: Namespace, target: Setup) -> Present | None:
             return None
         return Present(np.radians(arguments.current))
     if arguments.current is not None:
-        raise UsageError("angles: give --current or --current-matrix, one of them.")
+        raise UsageError("angles: give only one of --current and --current-matrix.")
     words = arguments.current_matrix
     if len(words) == 1:
         return present_of_matrix(target, *_read_matrix(Path(words[0])))

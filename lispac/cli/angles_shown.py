@@ -28,9 +28,9 @@ Array = NDArray[np.float64]
 WIDTH = 92
 LABEL = 12
 _NEW: dict[Status, str] = {
-    "verified": "TYPE IN",
-    "partly": "IF SO",
-    "unverified": "IF SO",
+    "verified": "ENTER",
+    "partly": "CHECK FIRST",
+    "unverified": "CHECK FIRST",
 }
 """What the new angles are called: nobody should type in an assumption without reading it."""
 OF_PROJECT = "estimated"
@@ -75,8 +75,9 @@ def list_systems(as_json: bool) -> None:
     if as_json:
         print(json.dumps([_system_numbers(Setup(each)) for each in SYSTEMS], indent=1))
         return
-    _line("", "Type and read the angles of each system in the order given here, in degrees. LiDAR "
-              "to body is the turn that carries the body's axes onto the scanner's.")  # fmt: skip
+    _line("", "Enter and read the angles of each system in the order given here, in degrees. "
+              "LiDAR to body is the rotation that carries the body axes onto the "
+              "scanner axes.")  # fmt: skip
     print()
     for each in SYSTEMS:
         print(f"{each.key:{LABEL}s}{each.name}: {STATUS_WORDS[each.status]}")
@@ -132,7 +133,7 @@ def _print_given(given: ConversionInput) -> None:
     if convention.key != "lispac":
         _line("", str(setup.scanner_axes(mounting.rotation_body_lidar)))
     print()
-    _line("IN WORDS", str(orientation_text(mounting.plain.boresight)))
+    _line("ORIENTATION", str(orientation_text(mounting.plain.boresight)))
     if given.has_lever_arm:
         _line("", str(lever_arm_text(mounting.lever_arm)))
     if offsets := offsets_note(mounting):
@@ -173,8 +174,8 @@ def _print_lever_arm(new: Replacement) -> None:
         _line("lever arm", _axes_words(axes, new.stated.lever_arm))
     if new.lever_arm_note is not None:
         _line("", message_text(new.lever_arm_note))
-    _line("", "LiDAR optical centre from the POS centre; where the program measures from "
-              "another reference point, add that point's offset.")  # fmt: skip
+    _line("", "From the POS centre to the LiDAR optical centre. If the program uses another "
+              "reference point, add the offset of that point.")  # fmt: skip
 
 
 def _axes_words(axes: Axes, values: Array) -> str:
@@ -198,13 +199,15 @@ def _print_correction(correction: Correction, label: str, decimals: int) -> None
     print(_row("current", correction.current, decimals=decimals))
     print(_row("correction", correction.correction, decimals=decimals))
     print(_row(label, correction.new, decimals=decimals) + "  (replaces the current angles)")
-    _line("", "new matrix = correction matrix · current matrix (the correction on the left)")
+    _line(
+        "", "new matrix = correction matrix · current matrix (correction multiplied from the left)"
+    )
     error = correction.sum_error
     if error > SUM_MATTERS:
-        _line("", f"Do not add the angles: current + correction would be {np.degrees(error):.4f} "
-                  f"deg off, {error * 1e5:.0f} mm at 100 m.")  # fmt: skip
+        _line("", f"Do not add the angles: the sum would be wrong by {np.degrees(error):.4f} deg, "
+                  f"{error * 1e5:.0f} mm at 100 m.")  # fmt: skip
     else:
-        _line("", "Adding the angles would be less than 1 mm off at 100 m here.")
+        _line("", "Adding the angles instead would cause an error of less than 1 mm at 100 m here.")
 
 
 def _print_matrices(new: Replacement) -> None:
@@ -217,18 +220,18 @@ def _print_matrices(new: Replacement) -> None:
     if correction is not None:
         _line("current", "3x3")
         _print_rows(correction.present)
-        _line("correction", "3x3, on the left of the current one: new = correction · current")
+        _line("correction", "3x3, multiplied from the left: new = correction · current")
         _print_rows(correction.rotation)
         if stated.angles is None:
-            _line(_NEW[setup.status], "3x3, replaces the current one")
+            _line(_NEW[setup.status], "3x3, replaces the current matrix")
             _print_rows(stated.rotation)
-    lever = "lever arm in metres" if new.has_lever_arm else "no lever arm given: zeros"
+    lever = "lever arm in metres" if new.has_lever_arm else "no lever arm given, zeros used"
     if new.present is not None and new.present.transform is not None and new.transform is not None:
         _line("current", "4x4, scanner to body")
         _print_rows(new.present.transform)
-        _line("correction", "4x4, on the left of the current one: new = correction · current")
+        _line("correction", "4x4, multiplied from the left: new = correction · current")
         _print_rows(new.transform)
-        lever += "; replaces the current one"
+        lever += "; replaces the current matrix"
     _line("4x4", f"scanner to body of {setup.convention.name}; {lever}")
     _print_rows(stated.transform)
 

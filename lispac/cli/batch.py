@@ -25,9 +25,7 @@ def batch(arguments: Namespace) -> None:
         Where a project was refused.
     """
     if arguments.reports is None and (arguments.report_format or arguments.template):
-        raise UsageError(
-            "batch: --report-format and --template go with --reports DIR; leave them out."
-        )
+        raise UsageError("batch: --report-format and --template require --reports DIR.")
     options = report_options(arguments.template)
     rows: list[Row] = []
     with ConsoleProgress() as progress:

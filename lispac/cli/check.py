@@ -34,7 +34,7 @@ def check(arguments: Namespace) -> None:
     heads = "".join(
         f"{f'mean {state}':>12s}{'95 %':>9s}{f'RMS {state}':>11s}" for state in ("before", "after")
     )
-    print(f"{'line':14s}{'places':>8s}{heads}  mm, + towards the vessel")
+    print(f"{'line':14s}{'places':>8s}{heads}  mm, positive towards the vessel")
     for line in (*found.lines, found.together):
         print(
             f"{line.line:14s}{line.after.distances.n:8,}{_cells(line.before)}{_cells(line.after)}"

@@ -23,7 +23,7 @@ def cluster_access(arguments: Namespace) -> ClusterAccess | None:
         for option in ("cluster_tls", "plain_tcp"):
             if getattr(arguments, option):
                 name = option.replace("_", "-")
-                raise UsageError(f"{arguments.command}: --{name} goes with --cluster.")
+                raise UsageError(f"{arguments.command}: --{name} requires --cluster.")
         return None
     tls = tuple(arguments.cluster_tls) if arguments.cluster_tls else None
     access = ClusterAccess(arguments.cluster, tls, arguments.plain_tcp)

@@ -36,7 +36,9 @@ def compare(arguments: Namespace) -> None:
         compare_methods(arguments)
         return
     if arguments.compute:
-        raise UsageError("compare: --compute asks other methods of one project; give one project.")
+        raise UsageError(
+            "compare: --compute runs the other methods on a single project; give one project only."
+        )
     compared = calibrations_of(arguments.projects)
     found, counted = compared.each, compared.counted
     only = len(found) > len(counted) == 1
@@ -72,7 +74,7 @@ def _print(
     print(f"{'all together':{width}s}{_values(together.boresight, together.sigma)}")
     if together.spread is not None:
         print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
-    print(f"\nless {found[0].name}, and over its sigma")
+    print(f"\ndifference from {found[0].name}, and (difference / sigma)")
     for change in against:
         cells = "".join(
             f"{np.degrees(angle):+12.4f} {f'({significance:+.1f})':>7s}"
@@ -83,14 +85,15 @@ def _print(
             f"{100 * change.displacement(far):.1f} cm at {far:.0f} m" for far in DISTANCES_M
         )
         verdict = "DIFFER" if change.differ else "agree"
-        print(f"{'':{width}s}  {verdict} ({_chance(change.probability)}); a point moves {effects}")
+        print(f"{'':{width}s}  {verdict} ({_chance(change.probability)}); point shift {effects}")
     if counted > 2:
-        words = "scatter MORE than their sigmas explain" if together.differ else "scatter as stated"
-        print(f"\nall of them {words} ({_chance(together.probability)})")
+        more = "MORE than" if together.differ else "as"
+        words = f"scatter {more} expected from their sigmas"
+        print(f"\nall calibrations {words} ({_chance(together.probability)})")
 
 
 def _chance(probability: float) -> str:
-    return f"chance {probability:.3f}" if probability >= 0.001 else "chance < 0.001"
+    return f"p = {probability:.3f}" if probability >= 0.001 else "p < 0.001"
 
 
 def _values(angles: np.ndarray, sigmas: np.ndarray) -> str:

@@ -20,9 +20,9 @@ from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 
 WANTED: dict[Method, str] = {
-    "natural planes": "the same adjustment on the validation planes instead of the targets",
-    "targetless": "surfaces of the scene that no one picked",
-    "patch test": "lines turned until they meet on objects",
+    "natural planes": "adjustment with the validation planes instead of the targets",
+    "targetless": "adjustment with surfaces detected automatically in the scene",
+    "patch test": "alignment of the lines on common objects",
 }
 """What each method is."""
 
@@ -58,7 +58,7 @@ def compare_methods(arguments: Namespace) -> None:
         print(f"note: {method}: {message_text(why)}", file=sys.stderr)
     for method in missing(project):
         if method not in refused:
-            print(f"note: {method} has not been asked ({WANTED[method]})", file=sys.stderr)
+            print(f"note: no result of {method} yet ({WANTED[method]})", file=sys.stderr)
 
 
 def _asked(project: Project) -> tuple[Project, dict[str, Message]]:
@@ -82,7 +82,7 @@ def _print(found: tuple[MethodResult, ...]) -> None:
         )
         print(f"{each.method:{width}s}{each.lines:6d}{each.surfaces:10d}{cells}")
     if len(found) > 1:
-        print(f"\nless {found[0].method}, and over its sigma")
+        print(f"\ndifference from {found[0].method}, and (difference / sigma)")
     for each in found:
         if each.against is not None:
             cells = "".join(

@@ -48,11 +48,11 @@ def design(arguments: Namespace) -> None:
             sigma = np.degrees(prediction.sigma)
             told = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
         print(f"{name:12s}{told}")
-    looked = f"{found.looked_at:,} plans looked at"
-    print(f"{looked}, which is all there are" if found.exact else f"{looked}, of many more")
+    looked = f"{found.looked_at:,} survey plans evaluated"
+    print(f"{looked}, all that are possible" if found.exact else f"{looked}, out of many more")
     for remark in remarks_on(found.plan):
         print(message_text(remark))
-    print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'from level deg':>16s}")
+    print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'inclination deg':>16s}")
     for target in found.plan.targets:
         along, off, up = site.wall.seen(target.centre)
         lean = f"{site.wall.facing_of(target)[0]:16.0f}" if isinstance(target, Board) else ""

@@ -13,73 +13,95 @@ SCENARIOS = (
 
 def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     """Describe them."""
-    predict = command(commands, "predict", "foretell the sigmas of a plan, before anybody sails it")
-    predict.add_argument("plan", type=Path, metavar="PLAN", help="TOML file of targets and lines")
+    predict = command(commands, "predict", "predict the sigmas of a survey plan")
+    predict.add_argument(
+        "plan", type=Path, metavar="PLAN", help="survey plan: TOML file with targets and lines"
+    )
     json_option(predict)
     _scenarios(commands)
     _design(commands)
     _campaign(commands)
-    replay = command(commands, "replay", "compare a survey with the plan it was sailed by")
-    replay.add_argument("project", type=Path, metavar="PROJECT")
-    replay.add_argument("--plan", type=Path, required=True, metavar="FILE")
+    replay = command(commands, "replay", "compare a survey with its survey plan")
+    replay.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    replay.add_argument(
+        "--plan", type=Path, required=True, metavar="FILE", help="survey plan (TOML file)"
+    )
     json_option(replay)
 
 
 def _scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
     scenarios = command(
         commands, "scenarios",
-        "change one thing at a time: lines, boards, distance, height, repeats, speed, POS",
+        "predict the sigmas while one factor changes: lines, boards, distance, height, repeats, "
+        "speed, POS",
     )  # fmt: skip
     scenarios.add_argument(
         "plan", type=Path, nargs="?", metavar="PLAN",
-        help="plan to change (default: one upright board and six lines, as in the thesis)",
+        help="survey plan to vary (default: one vertical board and six lines, as in the thesis)",
     )  # fmt: skip
-    scenarios.add_argument("--only", nargs="+", choices=SCENARIOS, metavar="SCENARIO",
-                           help=f"among {', '.join(SCENARIOS)}")  # fmt: skip
     scenarios.add_argument(
-        "--output", type=Path, metavar="DIR", help="folder for tables (CSV) and plots (SVG)"
+        "--only", nargs="+", choices=SCENARIOS, metavar="SCENARIO",
+        help=f"factors to change (default: all): {', '.join(SCENARIOS)}",
+    )  # fmt: skip
+    scenarios.add_argument(
+        "--output", type=Path, metavar="DIR", help="output folder for tables (CSV) and plots (SVG)"
     )
     json_option(scenarios)
 
 
 def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
-    design = command(commands, "design", "find the best boards and lines that a site allows")
+    design = command(
+        commands, "design", "find the best boards and lines within the limits of a site"
+    )
     design.add_argument(
         "site", metavar="SITE",
-        help="TOML file of what is allowed, or the name of one that comes with the program: quay, "
-        "quay-and-tower",
+        help="TOML file with the limits of the site, or the name of a built-in site: quay, "
+             "quay-and-tower",
     )  # fmt: skip
     design.add_argument(
         "--for", dest="criterion", choices=CRITERIA, default="largest",
-        help="what is to be small: the largest sigma (default), one angle's, or all (A, D)",
+        help="criterion to minimise: the largest sigma (default), the sigma of one angle, or the "
+             "A or D criterion of all angles",
     )  # fmt: skip
-    design.add_argument("--plans", type=whole(1), default=10_000, metavar="N",
-                        help="about how many to look at (default 10000)")  # fmt: skip
+    design.add_argument(
+        "--plans", type=whole(1), default=10_000, metavar="N",
+        help="approximate number of survey plans to evaluate (default 10000)",
+    )  # fmt: skip
     design.add_argument(
         "--pos-factors", type=positive, nargs="+", default=[1.0], metavar="F",
-        help="the POS may be so many times as good or poor as stated: the mean over them counts",
+        help="factors on the POS sigmas; the criterion is averaged over them (default 1)",
     )  # fmt: skip
-    design.add_argument("--seed", type=int, default=2019, help="of the search (default 2019)")
+    design.add_argument(
+        "--seed", type=int, default=2019, help="seed of the random search (default 2019)"
+    )
     _where(design)
     design.add_argument(
         "--output", type=Path, metavar="DIR",
-        help="folder for plan.toml, the field plan (PDF), and what less time costs",
+        help="output folder for plan.toml, the field plan (PDF) and the sigmas of shorter surveys",
     )  # fmt: skip
     json_option(design)
 
 
 def _campaign(commands: "Commands[argparse.ArgumentParser]") -> None:
     campaign = command(
-        commands, "campaign", "simulate a plan many times over and say whether its sigmas hold"
+        commands,
+        "campaign",
+        "simulate a survey plan many times and compare the scatter with the predicted sigmas",
     )
-    campaign.add_argument("plan", type=Path, metavar="PLAN", help="TOML file of targets and lines")
-    campaign.add_argument("--surveys", type=whole(2), default=200, metavar="N",
-                          help="how many to simulate and adjust (default 200)")  # fmt: skip
-    campaign.add_argument("--seed", type=whole(0), default=2027, help="of chance (default 2027)")
+    campaign.add_argument(
+        "plan", type=Path, metavar="PLAN", help="survey plan: TOML file with targets and lines"
+    )
+    campaign.add_argument(
+        "--surveys", type=whole(2), default=200, metavar="N",
+        help="number of surveys to simulate and adjust (default 200)",
+    )  # fmt: skip
+    campaign.add_argument(
+        "--seed", type=whole(0), default=2027, help="seed of the random numbers (default 2027)"
+    )
     campaign.add_argument(
         "--flatness-known", action="store_true",
-        help="tell the adjustment how flat the targets are (default: it takes it from the data, "
-        "as estimate does)",
+        help="give the form error of the targets to the adjustment (default: estimated from the "
+             "data, as lispac estimate does)",
     )  # fmt: skip
     _where(campaign)
     json_option(campaign)
@@ -88,19 +110,22 @@ def _campaign(commands: "Commands[argparse.ArgumentParser]") -> None:
 def _where(parser: argparse.ArgumentParser) -> None:
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
-        "--workers", type=whole(1), metavar="N", help="processes (default: all cores)"
+        "--workers",
+        type=whole(1),
+        metavar="N",
+        help="number of parallel processes (default: all cores)",
     )
     where.add_argument(
         "--cluster", metavar="ADDRESS",
-        help="run on the workers of this dask scheduler instead, tls://HOST:PORT",
+        help="run on the workers of this dask scheduler instead: tls://HOST:PORT",
     )  # fmt: skip
     parser.add_argument(
         "--cluster-tls", nargs=3, type=Path, metavar=("CA", "CERTIFICATE", "KEY"),
-        help="PEM files of the authority, of this computer and its key (default: those of dask's "
-        "configuration)",
+        help="PEM files: certificate of the authority, certificate of this computer and its key "
+             "(default: from the dask configuration)",
     )  # fmt: skip
     parser.add_argument(
         "--plain-tcp", action="store_true",
-        help="accept tcp:// to another computer: others in the network can then run programs on "
-        "this computer and on the workers",
+        help="allow unencrypted tcp:// connections to another computer; others in the network can "
+             "then run programs on this computer and on the workers",
     )  # fmt: skip

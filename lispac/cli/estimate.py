@@ -69,11 +69,11 @@ def estimate(arguments: Namespace) -> None:
             print_result(result, checks)
         return
     if arguments.project is None:
-        raise UsageError("estimate: name a project, or plane files with --planes.")
+        raise UsageError("estimate: give a project, or plane files with --planes.")
     for option in ("lever_arm", "boresight"):
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")
-            raise UsageError(f"estimate: --{name} goes with --planes; a project has its own.")
+            raise UsageError(f"estimate: --{name} requires --planes; a project contains its own.")
     with opened(arguments.project, change=True) as project:
         with ConsoleProgress() as progress:
             settings = asked_settings(project.settings, arguments)
@@ -150,13 +150,14 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
     if arguments.project is not None:
         raise UsageError("estimate: give a project or plane files, not both.")
     if arguments.lever_arm is None:
-        raise UsageError("estimate: --planes needs --lever-arm X Y Z (0 0 0 where there is none).")
+        raise UsageError("estimate: --planes requires --lever-arm X Y Z (0 0 0 if there is none).")
     if arguments.latency is not None:
         raise UsageError(
-            "estimate: --latency goes with a project; plane files hold positions already read."
+            "estimate: --latency requires a project; plane files already contain interpolated "
+            "positions."
         )
     if len({path.resolve() for path in arguments.planes}) < len(arguments.planes):
-        raise UsageError("estimate: a plane file is given twice; its points would count double.")
+        raise UsageError("estimate: a plane file is given twice; give each file once.")
     settings = asked_settings(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
     settings.require_sound()
     observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
@@ -346,7 +347,7 @@ def print_result(
     """The answer for people."""
     chi_square = result.chi_square
     size = "large" if chi_square.statistic < chi_square.lower else "small"
-    verdict = "passed" if chi_square.passed else f"the stated sigmas are too {size}"
+    verdict = "passed" if chi_square.passed else f"failed, the given sigmas are too {size}"
     print(f"{'degrees':{LABEL}s}" + "".join(f"{name:>12s}" for name in ANGLES))
     rows = {
         "prior": np.degrees(result.prior_angles),
@@ -356,8 +357,8 @@ def print_result(
     }
     if checks is not None:
         for name, spread in (
-            ("Spread, one line left out", checks.spread_lines),
-            ("Spread, one target left out", checks.spread_targets),
+            ("Spread, one line omitted", checks.spread_lines),
+            ("Spread, one target omitted", checks.spread_targets),
         ):  # fmt: skip
             if spread is not None:
                 rows[name] = np.degrees(spread)
@@ -368,7 +369,7 @@ def print_result(
         print_steep(result)
     for estimate in result.parameters:
         print(_parameter_line(estimate))
-    strays = f" ({counted(result.left_out, 'stray')} left out)" if result.left_out else ""
+    strays = f" ({counted(result.left_out, 'outlier')} excluded)" if result.left_out else ""
     print(
         f"POS errors {_model_words(result)}; {counted(result.points, 'point')}{strays}, "
         f"{counted(len(result.sightings), 'sighting')}, "
@@ -380,7 +381,7 @@ def print_result(
         f"({chi_square.lower:.1f} to {chi_square.upper:.1f}: {verdict})"
     )
     print(
-        f"RMS to the joint surfaces {result.rms_before * 1000:.1f} mm before, "
+        f"RMS distance from the target surfaces {result.rms_before * 1000:.1f} mm before, "
         f"{result.rms_after * 1000:.1f} mm after"
     )
     for component in result.components:
@@ -389,7 +390,7 @@ def print_result(
         print(plain(message_text(remark)))
     found = doubts(result, checks, also)
     if found:
-        print("\nTo know before using the angles:")
+        print("\nWarnings and notes:")
     for message in found:
         print(f"- {plain(message_text(message))}")
 
@@ -397,10 +398,10 @@ def print_result(
 def print_steep(result: AdjustmentResult) -> None:
     """The rotation where the pitch is so steep that roll and yaw do not describe it well."""
     print(
-        "The pitch is steep: roll and yaw can hardly be told apart. The sigmas are those of small "
-        "rotations about the body axes (forward, left, down)."
+        "The pitch is near 90 deg: roll and yaw are hardly separable. The sigmas are those of "
+        "small rotations about the body axes (forward, left, down)."
     )
-    print(f"In words: {orientation_text(result.angles)}")
+    print(f"Orientation: {orientation_text(result.angles)}")
     print("Rotation matrix, LiDAR to body (forward, left, up):")
     for row in result.mounting.rotation_body_lidar:
         print("".join(f"{value:+14.8f}" for value in row))
@@ -430,6 +431,6 @@ def _parameter_line(estimate: Estimate) -> str:
 
 def _component_line(found: Component) -> str:
     return (
-        f"{found.name} sigmas times {found.factor:.2f} (95 %: {found.lower:.2f} to "
+        f"{found.name} sigmas multiplied by {found.factor:.2f} (95 % interval {found.lower:.2f} to "
         f"{found.upper:.2f}), {message_text(component_finding(found))}"
     )

@@ -22,27 +22,40 @@ def lidar_noise(parser: argparse.ArgumentParser) -> None:
     """Let a command take the LiDAR noise in one of four ways."""
     noise = parser.add_mutually_exclusive_group()
     noise.add_argument(
-        "--lidar-sigma", type=positive, metavar="METRES", help="LiDAR noise on each axis"
+        "--lidar-sigma",
+        type=positive,
+        metavar="METRES",
+        help="LiDAR noise on each axis, 1 sigma (m; default of a new project 0.005)",
     )
     noise.add_argument(
         "--lidar-sigma-xyz", type=positive, nargs=3, metavar=("X", "Y", "Z"),
-        help="instead: LiDAR noise along each axis of the scanner (m)",
+        help="instead: LiDAR noise along each axis of the scanner, 1 sigma (m)",
     )  # fmt: skip
     noise.add_argument(
         "--lidar-beam-sigma", type=positive, nargs=2, metavar=("RANGE", "ANGLE"),
-        help="instead: noise of the range (m) and of the direction of the beam (deg)",
+        help="instead: LiDAR noise of the range (m) and of the beam direction (deg), 1 sigma",
     )  # fmt: skip
     noise.add_argument(
-        "--scanner", metavar="NAME", help="instead: noise of this scanner of `lispac sensors`"
+        "--scanner",
+        metavar="NAME",
+        help="instead: LiDAR noise of a scanner listed by `lispac sensors`",
     )
 
 
 def offsets(parser: argparse.ArgumentParser) -> None:
     """Add the options for known systematic errors of the scanner."""
     for name, unit, text in (
-        ("range-offset", "METRES", "added to every range"),
-        ("scan-angle-offset", "DEGREES", "turns every beam about the x axis of the scanner"),
-        ("latency", "SECONDS", "added to the time of every point before the trajectory is asked"),
+        ("range-offset", "METRES", "metres added to every range"),
+        (
+            "scan-angle-offset",
+            "DEGREES",
+            "rotation of every beam about the x axis of the scanner, in degrees",
+        ),
+        (
+            "latency",
+            "SECONDS",
+            "seconds added to the time of every point before the trajectory is interpolated",
+        ),
     ):
         parser.add_argument(
             f"--{name}", type=finite, metavar=unit, help=f"prior value (default 0): {text}"
@@ -78,66 +91,81 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     estimate = command(
         commands,
         "estimate",
-        "adjust the boresight of a project or of plane files; a project keeps the options given",
+        "estimate the boresight of a project or of plane files; the options are saved in the "
+        "project",
     )
-    estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
+    estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT", help="project folder")
     estimate.add_argument(
         "--subsample",
         type=not_negative,
         metavar="METRES",
-        help="points closer than this are averaged; with independent POS errors one of them is "
-        "kept (default 0.10; 0 keeps all)",
+        help="point spacing (m): closer points are averaged, or with independent POS errors "
+        "thinned to one (default 0.10; 0 keeps all points)",
     )
     estimate.add_argument(
         "--pos-errors",
         choices=("independent", "correlated"),
-        help="whether neighbouring points share their POS error (correlated, the default) or each "
-        "has its own (independent: the classical model, whose sigmas are too small)",
+        help="model of the POS errors: correlated between neighbouring points (default), or "
+        "independent for each point (classical model; its sigmas are too small)",
     )
     for name, default in (("position", 300), ("attitude", 600)):
         estimate.add_argument(
             f"--{name}-time",
             type=positive,
             metavar="SECONDS",
-            help=f"correlation time of the {name} error (default {default}; see the processing "
-            "report; too short is safer than too long)",
+            help=f"correlation time of the {name} error of the POS (s; default {default}); use the "
+            "value of the processing report; too short is safer than too long",
         )
     estimate.add_argument(
         "--surface",
         type=surface,
         metavar="METRES",
-        help="sigma by which what one line sees of a target departs from its shape (default auto: "
-        "from the data)",
+        help="surface sigma (m): deviation of the points of a sighting from the surface of the "
+        "target (default auto: estimated from the data)",
     )
     estimate.add_argument(
         "--loss",
         choices=("auto", "none", "huber", "tukey"),
-        help="weights of outliers (default auto: tukey, with independent POS errors none)",
+        help="loss function for outliers (default auto: tukey; with independent POS errors none)",
     )
     estimate.add_argument(
         "--estimate",
         action="append",
         metavar="NAME[=SIGMA]",
-        help="estimate this too: lever-x, lever-y, lever-z, range-offset (m), scan-angle-offset "
-        "(deg), latency (s), with the sigma its value is known to; none switches all off",
+        help="additional parameter to estimate: lever-x, lever-y, lever-z, range-offset (m), "
+        "scan-angle-offset (deg) or latency (s), optionally with the 1 sigma of its prior "
+        "value; none estimates no additional parameter (default: as saved in the project)",
     )
     estimate.add_argument(
         "--components",
         action=argparse.BooleanOptionalAction,
-        help="take the sigmas of LiDAR and POS from the data",
+        help="estimate the sigmas of LiDAR and POS from the data (variance components)",
     )
     estimate.add_argument(
         "--accept-one-facing",
         action=argparse.BooleanOptionalAction,
-        help="answer though all targets are planes that face one way, which is refused otherwise: "
-        "only the headings of the lines tell the angles apart then",
+        help="allow targets that all face the same way; the angles are then separated by the "
+        "headings of the lines alone",
     )
     estimate.add_argument(
-        "--no-cross-checks", action="store_true", help="do not adjust parts of the data too"
+        "--no-cross-checks",
+        action="store_true",
+        help="do not repeat the adjustment with subsets of the data",
     )
-    estimate.add_argument("--planes", type=Path, nargs="+", metavar="FILE", help="25-column files")
-    triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes (m)")
-    triple(estimate, "--boresight", ("R", "P", "Y"), "with --planes: prior (deg), default 0 0 0")
+    estimate.add_argument(
+        "--planes",
+        type=Path,
+        nargs="+",
+        metavar="FILE",
+        help="plane files with 25 columns, instead of a project",
+    )
+    triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes: lever arm (m)")
+    triple(
+        estimate,
+        "--boresight",
+        ("R", "P", "Y"),
+        "with --planes: prior boresight (deg; default 0 0 0)",
+    )
     lidar_noise(estimate)
     offsets(estimate)
     json_option(estimate)

@@ -38,12 +38,12 @@ def export(arguments: Namespace) -> None:
     on_map = (arguments.crs, arguments.height, arguments.trajectory_datum, arguments.epoch)
     if what != "targets" and any(given not in ("", None) for given in on_map):
         raise UsageError(
-            f"export {what}: there is no coordinate system to choose; "
-            + ("its angles refer to the local frame" if what == "planes" else
-               "it stays in latitude, longitude and height")
+            f"export {what}: a coordinate system cannot be selected; "
+            + ("the angles of plane files refer to the local frame" if what == "planes" else
+               "the trajectory is written in latitude, longitude and height")
         )  # fmt: skip
     if what == "trajectory" and arguments.targets:
-        raise UsageError("export trajectory: --targets has no meaning here")
+        raise UsageError("export trajectory: --targets applies to targets only; omit it")
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         if what == "trajectory":

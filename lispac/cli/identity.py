@@ -29,8 +29,8 @@ def identity(arguments: Namespace) -> None:
     stated = project.identity.dates
     if texts.get("dates") and day_in(stated) is None:
         print(
-            f"note: no day like 2026-03-04 is in the dates ({stated}); without one, lispac history "
-            "leaves this calibration out.", file=sys.stderr,
+            f"note: the survey dates ({stated}) contain no date of the form 2026-03-04; lispac "
+            "history omits this calibration.", file=sys.stderr,
         )  # fmt: skip
     if arguments.json:
         print_json(asdict(project.identity))

@@ -33,7 +33,8 @@ def import_lines(arguments: Namespace) -> None:
                 _check(found, progress)
     except (KeyboardInterrupt, Cancelled):
         print(
-            "lispac: what is read of the line so far is kept; import again to go on from there.",
+            "lispac: import interrupted; the points read so far are kept. Run lispac import again "
+            "to continue.",
             file=sys.stderr,
         )
         raise
@@ -54,9 +55,9 @@ def _check(found: list[Imported], progress: Progress) -> None:
         item.stored.require_sound(lambda done, words=words: progress(done, words))  # type: ignore[misc]
         if header_is_damaged(item.stored):
             print(
-                f"note: {item.stored.name}: the points are whole, but the records of its file's "
-                "header that were kept at the import have changed since; import it again to have "
-                "them in clouds when the file is gone",
+                f"note: {item.stored.name}: the imported points are undamaged, but the header "
+                "records stored with them are damaged. Import the line again to keep these "
+                "records in exported clouds.",
                 file=sys.stderr,
             )
 

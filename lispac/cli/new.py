@@ -63,7 +63,7 @@ def new(arguments: Namespace) -> None:
     if arguments.pos is not None and arguments.trajectory_accuracy is not None:
         print(
             f"note: the sigmas of {named['pos']} are not used: {arguments.trajectory_accuracy} "
-            "states them", file=sys.stderr,
+            "contains the sigmas", file=sys.stderr,
         )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:

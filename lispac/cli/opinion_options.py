@@ -13,26 +13,35 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 
 def _compare(commands: "Commands[argparse.ArgumentParser]") -> None:
-    compare = command(commands, "compare", "say whether calibrations, or methods, agree")
+    compare = command(
+        commands, "compare", "compare calibrations of one mounting, or methods on one survey"
+    )
     compare.add_argument(
         "projects", type=Path, nargs="+", metavar="PROJECT",
-        help="calibrations of one mounting, the earliest first; of a single one its methods",
+        help="projects with the same mounting, the earliest first; with a single project its "
+             "methods are compared",
     )  # fmt: skip
     compare.add_argument(
-        "--compute", action="store_true", help="of a single one: ask other methods, and keep it"
+        "--compute",
+        action="store_true",
+        help="with a single project: run the other methods and save their results",
     )
     json_option(compare)
 
 
 def _targetless(commands: "Commands[argparse.ArgumentParser]") -> None:
     targetless = command(
-        commands, "targetless", "find the boresight from the scene itself, without a target"
+        commands, "targetless", "estimate the boresight from surfaces of the scene, without targets"
     )
-    targetless.add_argument("project", type=Path, metavar="PROJECT")
+    targetless.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     targetless.add_argument(
-        "--keep", action="store_true", help="keep the answer beside that of the targets"
+        "--keep",
+        action="store_true",
+        help="save the result in the project, beside that of the targets",
     )
     targetless.add_argument(
-        "--with-targets", action="store_true", help="adjust the project's targets with the scene"
+        "--with-targets",
+        action="store_true",
+        help="also use the targets of the project in the adjustment",
     )
     json_option(targetless)

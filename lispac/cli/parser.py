@@ -35,8 +35,9 @@ def build_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="lispac",
         description="Boresight calibration of mobile LiDAR systems.",
-        epilog="Angles: roll positive left side up, pitch positive bow down, yaw clockwise; "
-        "LiDAR to body frame (forward, left, up). Lengths in metres, angles in degrees.",
+        epilog="Angles: roll positive left side up, pitch positive bow down, yaw positive "
+        "clockwise; rotation from LiDAR to body frame (forward, left, up). Lengths in "
+        "metres, angles in degrees.",
     )
     parser.add_argument("--version", action="version", version=f"lispac {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
@@ -70,147 +71,188 @@ def build_parser() -> argparse.ArgumentParser:
 
 
 def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
-    demo = command(commands, "demo", "simulate the built-in survey and calibrate it, all the way")
-    demo.add_argument("--output", type=Path, required=True, metavar="DIR", help="project folder")
-    demo.add_argument("--no-window", action="store_true", help="do not open the window at the end")
+    demo = command(
+        commands, "demo", "simulate the built-in survey and run the complete calibration"
+    )
+    demo.add_argument(
+        "--output", type=Path, required=True, metavar="DIR", help="project folder to create"
+    )
+    demo.add_argument(
+        "--no-window", action="store_true", help="do not open the main window at the end"
+    )
     json_option(demo)
 
 
 def _warnings(commands: "Commands[argparse.ArgumentParser]") -> None:
-    warnings = command(commands, "warnings", "list all there is to be warned of in a project")
-    warnings.add_argument("project", type=Path, metavar="PROJECT")
+    warnings = command(commands, "warnings", "list all warnings about a project")
+    warnings.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     json_option(warnings)
 
 
 def _locate(commands: "Commands[argparse.ArgumentParser]") -> None:
-    locate = command(commands, "locate", "say where the files of a project that was moved are now")
-    locate.add_argument("project", type=Path, metavar="PROJECT")
+    locate = command(commands, "locate", "locate the files of a project that were moved")
+    locate.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     locate.add_argument(
-        "folder", type=Path, metavar="FOLDER", help="they are in it, or in folders below it"
+        "folder",
+        type=Path,
+        metavar="FOLDER",
+        help="folder to search for the files, including its subfolders",
     )
 
 
 def _look(commands: "Commands[argparse.ArgumentParser]") -> None:
-    look = command(commands, "look", "say what a file is, what is assumed, and any warnings")
-    look.add_argument("file", type=Path, metavar="FILE", help="trajectory, accuracies or points")
-    look.add_argument(
-        "--quick", action="store_true", help="look at the first points only, not at all of them"
+    look = command(
+        commands, "look", "show the format of a file, the assumptions made and any warnings"
     )
+    look.add_argument(
+        "file", type=Path, metavar="FILE", help="trajectory, trajectory accuracy or points"
+    )
+    look.add_argument("--quick", action="store_true", help="read the first points only")
     json_option(look)
 
 
 def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
-    new = command(commands, "new", "make a project from raw lines and a trajectory")
-    new.add_argument("project", type=Path, metavar="PROJECT", help="folder to make")
+    new = command(commands, "new", "create a project from raw lines and a trajectory")
+    new.add_argument("project", type=Path, metavar="PROJECT", help="project folder to create")
     new.add_argument(
         "lines",
         type=Path,
         nargs="+",
         metavar="LINE",
-        help="scan file (LAS, LAZ, E57, PLY, PCD, text)",
+        help="scan file of one line (LAS, LAZ, E57, PLY, PCD, text)",
     )
     new.add_argument(
         "--trajectory", type=Path, required=True, metavar="FILE",
-        help="SBET, Exail or POSPac text, or text with named columns",
+        help="trajectory: SBET, Exail or POSPac text, or text with named columns",
     )  # fmt: skip
     new.add_argument(
-        "--trajectory-accuracy", type=Path, metavar="FILE", help="smrmsg, or a text that holds it"
+        "--trajectory-accuracy",
+        type=Path,
+        metavar="FILE",
+        help="accuracy of the trajectory: smrmsg file, or a text export of it",
     )
     for file, what in (
-        ("trajectory", "the trajectory"), ("accuracy", "its accuracies"), ("line", "the lines"),
+        ("trajectory", "the trajectory"),
+        ("accuracy", "the trajectory accuracy"),
+        ("line", "the lines"),
     ):  # fmt: skip
         new.add_argument(
-            f"--{file}-format", metavar="KEY", help=f"format of {what} (default: as found in it)"
+            f"--{file}-format", metavar="KEY", help=f"format of {what} (default: detected)"
         )
         new.add_argument(
             f"--{file}-option", type=named_value, action="append", default=[], metavar="NAME=VALUE",
-            help=f"what the files do not say of {what}; `lispac look FILE` lists the options",
+            help=f"option for reading {what}; `lispac look FILE` lists the options",
         )  # fmt: skip
     new.add_argument(
         "--time-shift", type=finite, default=0.0, metavar="SECONDS",
-        help="added to the times of the lines to bring them into the trajectory's",
+        help="seconds added to the times of the lines to obtain trajectory time (default 0)",
     )  # fmt: skip
     new.add_argument(
         "--split-by", default="", metavar="ATTRIBUTE",
-        help="make a line of each value of an attribute (point_source_id, scanner_channel, "
-        "user_data, ...) of a file, or with gap of each part between pauses",
+        help="split each file into lines: one line for each value of an attribute "
+             "(point_source_id, scanner_channel, user_data, ...), or with gap one line for each "
+             "part between pauses",
     )  # fmt: skip
     triple(
-        new, "--lever-arm", ("X", "Y", "Z"), "LiDAR from POS: forward, left, up (m)", required=True
+        new,
+        "--lever-arm",
+        ("X", "Y", "Z"),
+        "lever arm from the POS to the LiDAR: forward, left, up (m)",
+        required=True,
     )
-    triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg), default 0 0 0")
-    triple(new, "--origin", ("LAT", "LON", "HEIGHT"), "origin of the local frame (deg, m)")
-    triple(new, "--position-sigma", ("N", "E", "D"), "position sigmas without accuracy file (m)")
+    triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg; default 0 0 0)")
+    triple(
+        new,
+        "--origin",
+        ("LAT", "LON", "HEIGHT"),
+        "origin of the local frame (deg, m; default: mean position of the trajectory)",
+    )
+    triple(
+        new,
+        "--position-sigma",
+        ("N", "E", "D"),
+        "sigmas of the position without accuracy file (m; default 0.02 0.02 0.03)",
+    )
     triple(
         new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
-        "attitude sigmas without accuracy file (deg)",
+        "sigmas of the attitude without accuracy file (deg; default 0.01 0.01 0.015)",
     )  # fmt: skip
     sensor_options.pos_option(new)
     estimate_options.lidar_noise(new)
     estimate_options.offsets(new)
     new.add_argument(
         "--longest-gap", type=positive, metavar="SECONDS",
-        help="longest gap between two states of the trajectory that is bridged",
+        help="longest gap of the trajectory to interpolate across (s; default 1.5)",
     )  # fmt: skip
     new.add_argument(
         "--columns",
         metavar="NAMES",
-        help="columns of text lines from the left, e.g. time,x,y,z,intensity",
+        help="columns of text files with points, from the left, e.g. time,x,y,z,intensity",
     )
     json_option(new)
 
 
 def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
     imported = command(
-        commands, "import", "keep the lines of a project in its folder, ordered in space"
+        commands, "import", "store the lines of a project in its folder, sorted in space"
     )
     imported.set_defaults(command="import_lines")  # import is a word of the language
-    imported.add_argument("project", type=Path, metavar="PROJECT")
+    imported.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     imported.add_argument(
-        "--lines", nargs="+", default=[], metavar="NAME", help="these lines only (default all)"
+        "--lines", nargs="+", default=[], metavar="NAME", help="use only these lines (default: all)"
     )
     imported.add_argument(
-        "--again", action="store_true", help="import lines that are imported already, too"
+        "--again", action="store_true", help="import again lines that are already imported"
     )
     imported.add_argument(
-        "--check", action="store_true", help="read all of what is imported and compare checksums"
+        "--check", action="store_true", help="read all imported data and compare checksums"
     )
     json_option(imported)
 
 
 def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
-    propose = command(commands, "propose", "propose targets and validation planes, with reasons")
-    propose.add_argument("project", type=Path, metavar="PROJECT")
-    propose.add_argument("--accept", action="store_true", help="add them to the project")
+    propose = command(
+        commands,
+        "propose",
+        "detect targets and validation planes automatically and give the reasons for each",
+    )
+    propose.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    propose.add_argument(
+        "--accept", action="store_true", help="add the proposed targets to the project"
+    )
     json_option(propose)
 
 
 def _subsample(commands: "Commands[argparse.ArgumentParser]") -> None:
     subsample = command(
-        commands, "subsample", "adjust with points nearer together and farther apart"
+        commands, "subsample", "repeat the adjustment with different point spacings"
     )
-    subsample.add_argument("project", type=Path, metavar="PROJECT")
+    subsample.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     subsample.add_argument(
         "--distances", type=finite, nargs="+", metavar="M",
-        help="between points that take part, 0 for all of them (default 0 0.05 0.1 0.15 0.2)",
+        help="point spacings to use (m; 0 uses all points; default 0 0.05 0.1 0.15 0.2)",
     )  # fmt: skip
     json_option(subsample)
 
 
 def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
     validate = command(commands, "validate", "compare the lines on the validation planes")
-    validate.add_argument("project", type=Path, metavar="PROJECT")
+    validate.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     validate.add_argument(
         "--distance-to", choices=("point", "plane", "quadric"), default="plane",
-        help="measure to the nearest point of the other line, or to a plane (default) or quadric "
-        "through it and its neighbours",
+        help="distance to the nearest point of the other line, or to a plane or quadric fitted to "
+             "that point and its neighbours (default plane)",
     )  # fmt: skip
     validate.add_argument(
         "--neighbours", type=int, default=None, metavar="N",
-        help="points of the plane or quadric (default 6, 12 for a quadric)",
+        help="number of points to which the plane or quadric is fitted (default 6 for a plane, 12 "
+             "for a quadric)",
     )  # fmt: skip
     validate.add_argument(
-        "--radius", type=finite, metavar="M", help="all points within this radius instead"
+        "--radius",
+        type=finite,
+        metavar="M",
+        help="fit the plane or quadric to all points within this radius (m) instead",
     )
     json_option(validate)
 
@@ -219,91 +261,129 @@ def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
     check = command(
         commands, "check", "compare the lines with a static scan or surveyed points and planes"
     )
-    check.add_argument("project", type=Path, metavar="PROJECT")
+    check.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     check.add_argument(
         "--reference", type=Path, required=True, metavar="FILE",
         help="static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z, "
-        "and perhaps sigma and the name of the plane they lie on",
+             "and optionally sigma and the name of the plane that contains them",
     )  # fmt: skip
     check.add_argument(
         "--reference-sigma", type=not_negative, default=0.005, metavar="M",
-        help="1 sigma of the reference: what all points of a scan share, or that of each check "
-        "point whose own is not listed (default 0.005)",
+        help="1 sigma of the reference (m): error common to all points of a scan, or sigma of "
+             "each check point without a sigma of its own (default 0.005)",
     )  # fmt: skip
     check.add_argument(
         "--reach", type=positive, default=1.0, metavar="M",
-        help="how far from the reference lines are looked for (default 1)",
+        help="largest distance between lines and reference (m; default 1)",
     )  # fmt: skip
-    system_options(check, "as the reference states it, else local")
+    system_options(check, "as given in the reference file, otherwise local")
     json_option(check)
 
 
 def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
     history = command(
-        commands, "history", "list the calibrations of each system, and whether its mounting moved"
+        commands,
+        "history",
+        "list the calibrations of each system and test whether the mounting has moved",
     )
     history.add_argument(
-        "folders", type=Path, nargs="+", metavar="FOLDER", help="searched for projects at any depth"
+        "folders",
+        type=Path,
+        nargs="+",
+        metavar="FOLDER",
+        help="folder to search for projects, including its subfolders",
     )
-    history.add_argument("--vessel", metavar="NAME", help="of this vessel only")
+    history.add_argument("--vessel", metavar="NAME", help="show only the systems of this vessel")
     history.add_argument(
         "--picture", type=picture_file, metavar="FILE",
-        help="control chart of the system with most calibrations, .png, .svg or .pdf",
+        help="file for the control chart of the system with most calibrations: .png, .svg or .pdf",
     )  # fmt: skip
     json_option(history)
 
 
 def _budget(commands: "Commands[argparse.ArgumentParser]") -> None:
     budget = command(
-        commands, "budget", "say what every source of error does to a point at a distance"
+        commands, "budget", "list the contribution of each error source to the error of a point"
     )
-    budget.add_argument("project", type=Path, metavar="PROJECT")
+    budget.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     budget.add_argument(
         "--distance", type=positive, nargs="+", metavar="M",
-        help="from the scanner (default 10 50 100)",
+        help="distances of the point from the scanner (m; default 10 50 100)",
     )  # fmt: skip
-    triple(budget, "--lever-sigma", ("X", "Y", "Z"), "how well the lever arm is known, 1 sigma (m)")
+    triple(
+        budget,
+        "--lever-sigma",
+        ("X", "Y", "Z"),
+        "1 sigma of the lever arm (m; default: not included)",
+    )
     json_option(budget)
 
 
 def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
     georeference = command(
-        commands, "georeference", "write the lines on the map as LAZ with all their attributes"
+        commands,
+        "georeference",
+        "write the georeferenced lines as LAZ or LAS files with all attributes",
     )
-    georeference.add_argument("project", type=Path, metavar="PROJECT")
-    georeference.add_argument("--output", type=Path, required=True, metavar="DIR")
-    georeference.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
-    system_options(georeference, "that of the lines where they are georeferenced")
+    georeference.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     georeference.add_argument(
-        "--lines", nargs="+", metavar="NAME", help="these lines only (default all)"
+        "--output", type=Path, required=True, metavar="DIR", help="output folder"
     )
-    georeference.add_argument("--format", choices=("laz", "las"), default="laz")
+    georeference.add_argument(
+        "--boresight",
+        choices=("prior", "estimated"),
+        default="estimated",
+        help="boresight to use (default estimated)",
+    )
+    system_options(georeference, "that of the lines if they are georeferenced")
+    georeference.add_argument(
+        "--lines", nargs="+", metavar="NAME", help="use only these lines (default: all)"
+    )
+    georeference.add_argument(
+        "--format", choices=("laz", "las"), default="laz", help="file format (default laz)"
+    )
     json_option(georeference)
 
 
 def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
-    export = command(commands, "export", "write targets or the trajectory for other programs")
-    export.add_argument("project", type=Path, metavar="PROJECT")
-    export.add_argument("--what", choices=("targets", "planes", "trajectory"), required=True)
+    export = command(commands, "export", "export targets or the trajectory for other programs")
+    export.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     export.add_argument(
-        "--output", type=Path, required=True, metavar="PATH", help="folder; file for the trajectory"
+        "--what",
+        choices=("targets", "planes", "trajectory"),
+        required=True,
+        help="data to export: points of the targets, plane files, or the trajectory",
+    )
+    export.add_argument(
+        "--output",
+        type=Path,
+        required=True,
+        metavar="PATH",
+        help="output folder; for the trajectory the output file",
     )
     export.add_argument(
         "--format", choices=("laz", "las", "csv", "sbet", "text"),
-        help="of targets laz (default), las or csv; of the trajectory sbet (default) or text; "
-        "planes are text of 25 columns",
+        help="targets: laz (default), las or csv; trajectory: sbet (default) or text; planes are "
+             "always text with 25 columns",
     )  # fmt: skip
-    export.add_argument("--boresight", choices=("prior", "estimated"), default="estimated")
-    export.add_argument("--targets", nargs="+", metavar="NAME", help="these only (default all)")
+    export.add_argument(
+        "--boresight",
+        choices=("prior", "estimated"),
+        default="estimated",
+        help="boresight to use (default estimated)",
+    )
+    export.add_argument(
+        "--targets", nargs="+", metavar="NAME", help="export only these targets (default: all)"
+    )
     system_options(export, "local")
     json_option(export)
 
 
 def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
-    angles = command(commands, "angles", "give a boresight in another program's convention")
+    angles = command(commands, "angles", "convert a boresight to the convention of another program")
     angles.description = (
-        "Give a boresight and a lever arm in another program's convention, with the assumptions "
-        "made. Without arguments: list the systems and the order in which each types its angles."
+        "Convert a boresight and a lever arm to the convention of another program and list the "
+        "assumptions made. Without arguments: list the systems with the order of their angles."
     )
     angles.add_argument(
         "values",
@@ -312,42 +392,54 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="three angles (deg) in the order of --from, or a project with an estimated boresight",
     )
     angles.add_argument(
-        "--from", dest="from_system", default="lispac", metavar="SYSTEM", help="default lispac"
+        "--from",
+        dest="from_system",
+        default="lispac",
+        metavar="SYSTEM",
+        help="system of the given angles (default lispac)",
     )
-    angles.add_argument("--to", default="lispac", metavar="SYSTEM", help="default lispac")
-    triple(angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of --from (m)")
+    angles.add_argument(
+        "--to", default="lispac", metavar="SYSTEM", help="system to convert to (default lispac)"
+    )
+    triple(
+        angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of the --from system (m)"
+    )
     triple(
         angles, "--current", ("A", "B", "C"),
-        "present settings in the --to system (deg): also print the correction to them",
+        "current angles in the --to system (deg): also print the correction to them",
     )  # fmt: skip
     angles.add_argument(
         "--current-matrix",
         nargs="+", metavar="FILE | NUMBER",
-        help="instead: the present 3x3 or 4x4 matrix from scanner to body of --to, its numbers or "
-        "a file; of a 4x4 the lever arm is replaced too, or taken over where none is given",
+        help="instead of --current: current 3x3 or 4x4 matrix from scanner to body of the --to "
+             "system, as numbers or a text file; the lever arm of a 4x4 matrix is replaced by a "
+             "given one, otherwise kept",
     )  # fmt: skip
     angles.add_argument(
         "--current-applied",
         action="store_true",
-        help="the lines were already turned by the present settings, so what was found comes on "
-        "top of them",
+        help="the lines were georeferenced with the current angles, so the boresight is a "
+        "correction to them",
     )
-    angles.add_argument("--matrix", action="store_true", help="print the matrices too")
+    angles.add_argument("--matrix", action="store_true", help="also print the matrices")
     angles.add_argument(
         "--from-matrix",
         type=Path,
         metavar="FILE",
-        help="text file with the 3x3 or 4x4 matrix from scanner to body of --from",
+        help="text file with the 3x3 or 4x4 matrix from scanner to body of the --from system",
     )
     angles.add_argument(
         "--scanner",
         choices=("turned", "kept", "mounted"),
-        help="scanner axes of the other system: turned as its body axes, kept as in the raw "
-        "points, or laid on the body axes by a mounting (default: as that system usually does)",
+        help="scanner axes of the other system: turned like its body axes, kept as in the raw "
+        "points, or mapped to the body axes by a mounting (default: as usual in that system)",
     )
     for name, text in (
-        ("--body-axes", "where the other system's body axes point, e.g. forward starboard down"),
-        ("--mounting", "where the raw scanner axes nominally point, e.g. forward port up"),
+        (
+            "--body-axes",
+            "directions of the body axes of the other system, e.g. forward starboard down",
+        ),
+        ("--mounting", "nominal directions of the raw scanner axes, e.g. forward port up"),
     ):
         angles.add_argument(name, nargs=3, metavar=("X", "Y", "Z"), help=text)
     json_option(angles)
@@ -355,29 +447,32 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 def _visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
     visibility = command(
-        commands, "visibility", "say what systematic errors do to a board, line by line"
+        commands, "visibility", "show the effect of systematic errors on a board for each line"
     )
     visibility.add_argument(
         "site", choices=("terrestrial", "marine"),
-        help="a vehicle 2.5 m above a board on the ground, or a vessel 15 m from a quay 5 m high",
+        help="terrestrial: vehicle 2.5 m above a board on the ground; marine: vessel 15 m from a "
+             "quay 5 m high",
     )  # fmt: skip
-    visibility.add_argument("--output", type=Path, required=True, metavar="DIR")
+    visibility.add_argument(
+        "--output", type=Path, required=True, metavar="DIR", help="output folder"
+    )
     visibility.add_argument(
         "--error", nargs="+", metavar="NAME",
         choices=(
             "roll", "pitch", "yaw", "lever-x", "lever-y", "lever-z", "range-offset",
             "scan-angle-offset",
         ),
-        help="these only (default all of the site): roll, pitch, yaw, lever-x, lever-y, lever-z, "
-        "range-offset, scan-angle-offset",
+        help="errors to simulate (default: all of the site): roll, pitch, yaw, lever-x, lever-y, "
+             "lever-z, range-offset, scan-angle-offset",
     )  # fmt: skip
     visibility.add_argument(
         "--formats", nargs="+", choices=("png", "svg", "pdf"), default=["png"],
-        help="of the figures (default png)",
+        help="formats of the figures (default png)",
     )  # fmt: skip
     visibility.add_argument(
         "--struck", action="store_true",
-        help="take the beams that meet the board with the error, as a real one would have them, "
-        "instead of those aimed at it; the thesis has the latter",
+        help="use the beams that hit the board in the presence of the error, as in a real survey, "
+             "instead of the beams aimed at it, as in the thesis",
     )  # fmt: skip
     json_option(visibility)

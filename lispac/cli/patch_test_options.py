@@ -11,26 +11,29 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     patchtest = command(
         commands,
         "patchtest",
-        "find the boresight by laying lines onto each other about objects that they share",
+        "estimate the boresight by aligning lines on common objects (patch test)",
     )
-    patchtest.add_argument("project", type=Path, metavar="PROJECT")
+    patchtest.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     patchtest.add_argument(
         "--object", type=named_value, nargs="+", action="extend", metavar="NAME=N,W,U,A,L,H",
-        help="boxes about objects (a pole, a pillar, an edge): centre in metres, local frame; "
-        "lengths ahead, to the left and upwards; a seventh number turns the box clockwise, in deg",
+        help="box around an object (a pole, a pillar, an edge): north, west and up of its centre "
+             "in the local frame, then its size along, to the left and upwards (m); an optional "
+             "seventh number is its clockwise rotation (deg)",
     )  # fmt: skip
     patchtest.add_argument(
         "--count", type=whole(0), metavar="N",
-        help="objects that are looked for besides (default 30; none where --object is given)",
+        help="number of objects to detect automatically (default 30; 0 if --object is given)",
     )  # fmt: skip
     patchtest.add_argument(
         "--pairs", choices=("reciprocal", "crossing", "oblique", "same"), nargs="+",
-        help="kinds of pairs of lines (default all)",
+        help="kinds of pairs of lines to use (default: all)",
     )  # fmt: skip
     patchtest.add_argument(
-        "--lines", nargs="+", metavar="NAME", help="pairs of these lines only (default all)"
+        "--lines", nargs="+", metavar="NAME", help="use only pairs of these lines (default: all)"
     )
     patchtest.add_argument(
-        "--keep", action="store_true", help="keep the answer beside that of the targets"
+        "--keep",
+        action="store_true",
+        help="save the result in the project, beside that of the targets",
     )
     json_option(patchtest)

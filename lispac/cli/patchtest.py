@@ -39,7 +39,7 @@ def patchtest(arguments: Namespace) -> None:
         raise UsageError("patchtest: two objects have the same name.")
     count = arguments.count if arguments.count is not None else 0 if given else COUNT
     if not given and not count:
-        raise UsageError("patchtest: give objects with --object, or look for some with --count.")
+        raise UsageError("patchtest: give objects with --object, or detect some with --count.")
     with opened(arguments.project, change=arguments.keep) as project:
         with ConsoleProgress() as progress:
             survey = load_survey(project, progress=part(progress, 0.0, 0.3))
@@ -65,7 +65,7 @@ def patchtest(arguments: Namespace) -> None:
 
 def print_answer(found: PatchTest) -> None:
     """Angles with their sigmas, objects, and what to think of them."""
-    print("LiDAR patch test (deg)      found   sigma  one by one   mm per 0.01 deg")
+    print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
     for k, angle in enumerate(ANGLES):
         sigma = "none" if found.sigma is None else f"{np.degrees(found.sigma[k]):.4f}"
         print(
@@ -73,7 +73,7 @@ def print_answer(found: PatchTest) -> None:
             f"{np.degrees(found.one_by_one[k]):>+12.4f}"
             f"{1000 * np.radians(0.01) * found.curvature[k]:>18.1f}"
         )
-    print("Object            pairs  apart (mm)  own minimum off (deg)  usual (deg)")
+    print("Object            pairs  dist. (mm)       angle diff. (deg)  limit (deg)")
     for each in found.objects:
         mark = "  DIFFERS" if each.disagrees else ""
         angle = "none" if each.angle is None else ANGLES[each.angle]
@@ -140,7 +140,7 @@ def _pairs(survey: Survey, kinds: Iterable[str], lines: list[str] | None) -> tup
     for line in lines or ():
         if line not in survey.clouds:
             raise UsageError(
-                f"patchtest: there is no line {line}; there are {', '.join(survey.lines)}."
+                f"patchtest: there is no line {line}; the lines are {', '.join(survey.lines)}."
             )
     wanted = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
     found = workflow.line_pairs(survey, wanted)

@@ -83,22 +83,22 @@ def _require_together(arguments: Namespace) -> None:
     UsageError
     """
     if arguments.sphere_radius is not None and arguments.shape != "sphere":
-        raise UsageError("--sphere-radius is for spheres; add --shape sphere or leave it out")
+        raise UsageError("--sphere-radius requires --shape sphere")
     if arguments.expected is not None and arguments.shape != "plane":
-        raise UsageError("--expected is for planes; leave it out")
+        raise UsageError("--expected applies to planes only; omit it")
     if arguments.max_tilt > 90:
-        raise UsageError("--max-tilt is an angle of at most 90 deg")
+        raise UsageError("--max-tilt must be at most 90 deg")
     if arguments.stop >= 1:
-        raise UsageError("--stop is a probability between 0 and 1")
+        raise UsageError("--stop must be a probability between 0 and 1")
     one = arguments.seeds is None
     if one and not arguments.name:
-        raise UsageError("--seed needs --name, the name of the target")
+        raise UsageError("--seed requires --name, the name of the target")
     for option, given, needed in (
         ("--name", arguments.name, not one), ("--line", arguments.line, not one),
         ("--columns", arguments.columns, one), ("--replace", arguments.replace, one),
     ):  # fmt: skip
         if given and needed:
-            raise UsageError(f"{option} goes with --{'seeds' if one else 'seed'}; leave it out")
+            raise UsageError(f"{option} requires --{'seeds' if one else 'seed'}; omit it")
 
 
 def _how(arguments: Namespace) -> dict[str, Any]:
@@ -170,7 +170,7 @@ def _print(
         if sighting.line in spheres:
             patch = spheres[sighting.line]
             north, west, up = patch.centre
-            known = "known" if target.sphere_radius is not None else "found"
+            known = "given" if target.sphere_radius is not None else "estimated"
             print(
                 f"    centre {north:.3f} {west:.3f} {up:.3f} m, "
                 f"radius {patch.sphere.radius:.3f} m ({known}), "

@@ -100,4 +100,4 @@ def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
         for line, reason in target.missing.items():
             print(f"      not on {line}: {message_text(reason)}")
     count = sum(outcome.target is not None for outcome in outcomes)
-    print(f"{count} of {len(outcomes)} seeds led to a target")
+    print(f"Targets found for {count} of {len(outcomes)} seeds")

@@ -44,7 +44,7 @@ def print_doubtful(found: Mapping[Key, SightingQuality]) -> None:
     told = [(key, quality) for key, quality in found.items() if quality.light != "good"]
     if not told:
         return
-    print("\nSightings that are less than good:")
+    print("\nSightings of doubtful or poor quality:")
     for (target, line), quality in sorted(told, key=lambda each: each[1].light != "poor"):
         reasons = map(message_text, quality.reasons)
         print(f"- {target} on {line}: {' '.join((f'{quality.light.capitalize()}.', *reasons))}")

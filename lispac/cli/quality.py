@@ -65,7 +65,7 @@ def _metres(figures: Figures) -> dict[str, float | None]:
 def _print(found: LineQuality) -> None:
     rows = found.rows()
     width = max(10, *(len(name) for row in rows for name in row[:2])) + 2
-    print(f"Lines placed with the {found.which} boresight; along the normal of flat places, mm")
+    print(f"Differences between lines along the normal of flat places, {found.which} boresight, mm")
     heads = "".join(f"{head:>9s}" for head in HEADS)
     print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
     for one, other, facing, each in rows:

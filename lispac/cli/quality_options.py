@@ -9,22 +9,25 @@ from lispac.cli.values import Commands, command, json_option, picture_file, posi
 def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     """The command."""
     quality = command(
-        commands, "quality", "say how well the lines of a survey fit each other, as they are"
+        commands, "quality", "compare the lines of a survey with each other, without a calibration"
     )
-    quality.add_argument("project", type=Path, metavar="PROJECT")
+    quality.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     quality.add_argument(
         "--with", dest="which", choices=("prior", "estimated"), default="prior",
-        help="boresight that places the lines (default prior: nothing need be calibrated)",
+        help="boresight used to georeference the lines (default prior: no calibration is needed)",
     )  # fmt: skip
     quality.add_argument(
         "--reach", type=positive, default=1.0, metavar="M",
-        help="the farthest that lines may be apart (default 1)",
+        help="largest distance between lines to compare (m; default 1)",
     )  # fmt: skip
     quality.add_argument(
         "--map", type=picture_file, metavar="FILE",
-        help="all places from above, coloured by how far the lines are apart: .png, .svg or .pdf",
+        help="file for a plan view coloured by the distance between the lines: .png, .svg or .pdf",
     )  # fmt: skip
     quality.add_argument(
-        "--csv", type=Path, metavar="FILE", help="every place with its difference, as a table"
+        "--csv",
+        type=Path,
+        metavar="FILE",
+        help="CSV file for a table of all places with their differences",
     )
     json_option(quality)

@@ -35,8 +35,8 @@ def replay(arguments: Namespace) -> None:
         values["missing_lines"] = [line.name for line in found.missing_lines]
         print_json(values | {"words": [str(each) for each in (*found.off_plan, *found.costs)]})
         return
-    print(f"{'standard deviation (deg)':32s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
+    print(f"{'standard deviation (deg)':38s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
     for name, *cells in found.rows:
-        print(f"{name:32s}" + "".join(f"{cell:>9s}" for cell in cells))
+        print(f"{name:38s}" + "".join(f"{cell:>9s}" for cell in cells))
     for sentence in found.words:
         print(sentence)

@@ -22,7 +22,7 @@ def report(arguments: Namespace) -> None:
         print(schema_text(), end="")
         return
     if arguments.project is None or arguments.output is None:
-        raise UsageError("report: give a project and --output FILE, or --schema alone.")
+        raise UsageError("report: give a project and --output FILE, or only --schema.")
     options = report_options(
         arguments.template,
         arguments.page or "",

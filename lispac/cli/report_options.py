@@ -16,39 +16,45 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
 
 def _identity(commands: "Commands[argparse.ArgumentParser]") -> None:
     identity = command(
-        commands, "identity", "say who, when and with what, for the report, or show what is said"
+        commands,
+        "identity",
+        "set or show the details of the survey for the report (surveyor, dates, instruments)",
     )
-    identity.add_argument("project", type=Path, metavar="PROJECT")
+    identity.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     for name in NAMES:
         hint = HINTS[name]
         if name == "dates":
-            hint += "; auto takes them from the times of the lines where these tell the day"
+            hint += "; auto takes them from the times of the lines if these contain the date"
         identity.add_argument(f"--{name.replace('_', '-')}", metavar="TEXT", help=hint)
     json_option(identity)
 
 
 def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
-    report = command(commands, "report", "write the report")
-    report.add_argument("project", type=Path, nargs="?", metavar="PROJECT")
+    report = command(commands, "report", "write the calibration report")
+    report.add_argument("project", type=Path, nargs="?", metavar="PROJECT", help="project folder")
     report.add_argument(
         "--output",
         type=Path,
         metavar="FILE",
-        help=".pdf, .html, .json, or .zip for all tables as CSV",
+        help="report file: .pdf, .html, .json, or .zip for all tables as CSV",
     )
     report.add_argument(
-        "--language", choices=tuple(LANGUAGES), help="of the report (default en); JSON is English"
+        "--language",
+        choices=tuple(LANGUAGES),
+        help="language of the report (default en; JSON is always English)",
     )
-    report.add_argument("--page", choices=("a4", "letter"), help="size of the paper (default a4)")
+    report.add_argument("--page", choices=("a4", "letter"), help="paper size (default a4)")
     report.add_argument(
         "--convention", metavar="SYSTEM",
-        help="also state the boresight as this program has it; `lispac angles` lists them",
+        help="also give the boresight in the convention of this program; `lispac angles` lists "
+             "the programs",
     )  # fmt: skip
     report.add_argument(
         "--template", type=Path, metavar="FILE",
-        help="TOML file with what a company always wants: logo (PNG or SVG beside it), company, "
-        "heading, closing, page, convention, language; what is chosen here goes before it",
+        help="TOML file with defaults for the report: logo (PNG or SVG file beside it), company, "
+             "heading, closing, page, convention, language; options of the command line override "
+             "it",
     )  # fmt: skip
     report.add_argument(
-        "--schema", action="store_true", help="print the JSON schema of the report and do no more"
+        "--schema", action="store_true", help="print the JSON schema of the report and exit"
     )

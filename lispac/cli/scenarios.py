@@ -23,7 +23,10 @@ def scenarios(arguments: Namespace) -> None:
         return
     heads = "".join(f"{angle:>9s}" for angle in ANGLES)
     for scenario in dict.fromkeys(each.scenario for each in found):
-        print(f"{scenario:30s}{'drifting POS errors':>27s}{'thesis':>27s}  1 sigma, deg")
+        print(
+            f"{scenario:30s}{'correlated POS errors':>27s}{'uncorrelated POS errors':>27s}"
+            "  1 sigma, deg"
+        )
         print(f"{'':30s}{heads}{heads}")
         own = [each for each in found if each.scenario == scenario]
         for case in dict.fromkeys(each.case for each in own):

@@ -9,30 +9,48 @@ from lispac.cli.values import Commands, command, json_option
 def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     """Describe them."""
     script = command(
-        commands, "script", "write the Python script that makes a project again from its raw files"
+        commands, "script", "write a Python script that recreates a project from its raw files"
     )
-    script.add_argument("project", type=Path, metavar="PROJECT")
-    script.add_argument("--output", type=Path, metavar="FILE", help="default: print it")
+    script.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    script.add_argument(
+        "--output", type=Path, metavar="FILE", help="script file (default: print it)"
+    )
     json_option(script)
 
     batch = command(
-        commands, "batch", "calibrate all projects in folders, targets as picked, into a table"
+        commands,
+        "batch",
+        "calibrate all projects in folders with their picked targets and list the results",
     )
     batch.add_argument(
-        "folders", type=Path, nargs="+", metavar="FOLDER", help="searched for projects at any depth"
+        "folders",
+        type=Path,
+        nargs="+",
+        metavar="FOLDER",
+        help="folder to search for projects, including its subfolders",
     )
-    batch.add_argument("--output", type=Path, metavar="TABLE", help="the table as CSV")
+    batch.add_argument(
+        "--output", type=Path, metavar="TABLE", help="CSV file for the table of results"
+    )
     batch.add_argument(
         "--save", action="store_true",
-        help="save what is found in the projects (default: they stay as they are)",
+        help="save the results in the projects (default: the projects are not changed)",
     )  # fmt: skip
     batch.add_argument(
-        "--reports", type=Path, metavar="DIR", help="write each project's report in this folder"
+        "--reports",
+        type=Path,
+        metavar="DIR",
+        help="write the report of each project to this folder",
     )
     batch.add_argument(
-        "--report-format", choices=("pdf", "html", "json", "zip"), help="of the reports: pdf"
+        "--report-format",
+        choices=("pdf", "html", "json", "zip"),
+        help="format of the reports (default pdf)",
     )
     batch.add_argument(
-        "--template", type=Path, metavar="FILE", help="of the reports; see `lispac report --help`"
+        "--template",
+        type=Path,
+        metavar="FILE",
+        help="template of the reports; see `lispac report --help`",
     )
     json_option(batch)

@@ -14,7 +14,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     sensors = command(
         commands,
         "sensors",
-        "list scanners and INS/GNSS with their sigmas, and where these are from",
+        "list scanners and INS/GNSS with their sigmas and the sources of these",
     )
     json_option(sensors)
 
@@ -23,8 +23,8 @@ def pos_option(parser: argparse.ArgumentParser) -> None:
     """Let a command take the sigmas of a POS by its name."""
     parser.add_argument(
         "--pos", metavar="NAME[:SOLUTION]",
-        help="sigmas of this INS/GNSS of `lispac sensors`, e.g. apogee:ppk, where nothing else "
-        "is stated; the details for the report name it",
+        help="use the sigmas of an INS/GNSS listed by `lispac sensors`, e.g. apogee:ppk, unless "
+             "sigmas are given otherwise; its name is added to the details for the report",
     )  # fmt: skip
 
 

@@ -42,8 +42,8 @@ def sensors(arguments: Namespace) -> None:
                 f"{each.figures.title}{_whose(each.own)}"
             )
             print(f"    {origin_of(state)}")
-    print(f"\nYour own are kept in {folder}")
+    print(f"\nUser-defined sensors are stored in {folder}")
 
 
 def _whose(own: bool) -> str:
-    return " (your own)" if own else ""
+    return " (user-defined)" if own else ""

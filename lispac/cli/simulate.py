@@ -73,13 +73,14 @@ def simulate(arguments: Namespace) -> None:
     if targets.is_file():
         print(f"seeds      {targets} (for lispac pick --seeds)")
     if balls.is_file():
-        print(f"balls      {balls} (for lispac pick --shape sphere --seeds)")
+        print(f"spheres    {balls} (for lispac pick --shape sphere --seeds)")
 
 
 def _of_plan(arguments: Namespace, errors: dict[str, Any]) -> Simulation:
     if arguments.scanner or arguments.trajectory:
         raise UsageError(
-            "simulate: a plan has its own scanner and lines; leave out --scanner and --trajectory."
+            "simulate: a survey plan contains its scanner and lines; omit --scanner and "
+            "--trajectory."
         )
     return simulation_of_plan(
         arguments.scene,

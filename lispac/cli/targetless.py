@@ -22,8 +22,8 @@ def targetless(arguments: Namespace) -> None:
     """
     if arguments.keep and arguments.with_targets:
         raise UsageError(
-            "targetless: an answer with the targets is no second opinion on theirs; leave --keep "
-            "or --with-targets out."
+            "targetless: a result that uses the targets is not independent of them; omit --keep "
+            "or --with-targets."
         )
     with opened(arguments.project, change=arguments.keep) as project:
         with ConsoleProgress() as progress:

@@ -27,8 +27,8 @@ def validate(arguments: Namespace) -> None:
     kind = arguments.distance_to
     if kind == "point" and not (arguments.radius is None and arguments.neighbours is None):
         raise UsageError(
-            "validate: the distance to the nearest point knows no --radius and no --neighbours; "
-            "leave them out, or take --distance-to plane."
+            "validate: --radius and --neighbours do not apply to --distance-to point; omit them "
+            "or use --distance-to plane."
         )
     usual = USUAL_NEIGHBOURS[kind]
     model = LocalModel(

@@ -62,7 +62,9 @@ def picture_file(text: str) -> Path:
 
 def json_option(parser: argparse.ArgumentParser) -> None:
     """Let a command print JSON."""
-    parser.add_argument("--json", action="store_true", help="one JSON object on stdout")
+    parser.add_argument(
+        "--json", action="store_true", help="print the result as one JSON object on stdout"
+    )
 
 
 def triple(
@@ -86,19 +88,20 @@ def system_options(parser: argparse.ArgumentParser, default: str) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--height", default="", metavar="WHAT",
-        help="what heights count from: ellipsoid, EPSG code of a vertical system, or the path of "
-        "a geoid grid (default: as --crs says, else the ellipsoid)",
+        help="height reference: ellipsoid, EPSG code of a vertical system, or path of a geoid "
+             "grid (default: from --crs, otherwise ellipsoid)",
     )  # fmt: skip
     parser.add_argument(
         "--trajectory-datum", metavar="CODE",
-        help="geographic system of the trajectory where it is not that of --crs, e.g. EPSG:7912 "
-        "(default: as the lines are read; an empty one shifts nothing)",
+        help="geographic coordinate system of the trajectory if it differs from that of --crs, "
+             "e.g. EPSG:7912 (default: as used when reading the lines; empty for no datum shift)",
     )  # fmt: skip
     parser.add_argument(
         "--epoch",
         type=finite,
         metavar="YEAR",
-        help="date of the survey where datums drift apart (default: as the lines are read)",
+        help="epoch of the survey as a decimal year, for time-dependent datums (default: as used "
+        "when reading the lines)",
     )
 
 

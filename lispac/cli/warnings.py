@@ -34,6 +34,6 @@ def warnings(arguments: Namespace) -> None:
         print_json({"warnings": values})
         return
     if not found:
-        print("Nothing to warn of.")
+        print("No warnings.")
     for each in found:
         print(f"{each.level}: {plain(message_text(each))}")

@@ -36,13 +36,15 @@ def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
         axes.stairs(values, edges, color=colour, linewidth=1.0)
     axes.set_xlim(edges[0], edges[-1])
     across = gettext(
-        "Distance from the reference (mm), positive towards the vessel; end bins: all larger ones"
+        "Distance from the reference (mm), positive towards the vessel; end bins include larger "
+        "values"
     )
     dress(axes, across, gettext("Places"))
     axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))
     axes.yaxis.set_major_formatter(lambda value, _: grouped(value))
     title = gettext(
-        "{reference}, all lines, along the normal", reference=short_name(found.reference)
+        "{reference}: distances of all lines along the normal",
+        reference=short_name(found.reference),
     )
     axes.set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
     highest = np.maximum(found.counts_before, found.counts_after).astype(np.float64)

@@ -23,14 +23,14 @@ LOCAL = "the local frame"
 """Coordinate system of a reference in the local frame, as the content calls it."""
 
 DISTANCES = N_(
-    "Signed distances of the lines from the reference along the normal, positive where a line is "
-    "nearer to the vessel. They are taken at the same places before and after the calibration, "
-    "within {reach} m of the reference."
+    "Distances between the lines and the reference along the normal of the surface, positive "
+    "where the line is nearer to the vessel than the reference. They are computed at the same "
+    "places before and after the calibration, for points within {reach} m of the reference."
 )
 UNCERTAINTY = N_(
-    "POS: from the given accuracies, one error for all that a line saw. Scatter: of the places "
-    "about the mean of their line, averaged. Errors common to all ranges, such as a range offset, "
-    "are not included."
+    "POS: from the given accuracies, with one error common to all points of a line. Scatter: "
+    "uncertainty of the mean of a line from the scatter of the distances at its places. Errors "
+    "common to all ranges, such as a range offset, are not included."
 )
 
 
@@ -47,7 +47,9 @@ def absolute(content: ReportContent) -> list[Block]:
         _table(found),
         Bullets(tuple(map(sentence, found.in_words))),
     ]
-    caption = gettext("Distances of all lines from the reference, before and after.")
+    caption = gettext(
+        "Distances of all lines from the reference, before and after the calibration."
+    )
     blocks += [
         Drawing(caption, absolute_figure, (found,)),
         _uncertainty(found),
@@ -57,7 +59,7 @@ def absolute(content: ReportContent) -> list[Block]:
         blocks.append(_points(found.points))
     if found.not_compared:
         reasons = tuple(map(sentence, found.not_compared))
-        blocks += [Paragraph(gettext("Not compared:")), Bullets(reasons)]
+        blocks += [Paragraph(gettext("Not compared with the reference:")), Bullets(reasons)]
     return blocks
 
 
@@ -78,10 +80,11 @@ def _table(found: Absolute) -> Table:
     """Statistics of the distances, one row for each line and state."""
     columns = (
         Column(gettext("Line"), "left"), Column(gettext("State"), "left"),
-        Column(gettext("Places")), Column(gettext("Mean")), Column(gettext("95 % of\nthe mean")),
+        Column(gettext("Places")), Column(gettext("Mean")),
+        Column(gettext("95 %\ninterval\nof mean")),
         Column(gettext("Median")), Column(gettext("RMS")), Column(gettext("68 %")),
         Column(gettext("95 %")), Column(gettext("99 %")), Column(gettext("Robust\nsigma")),
-        Column(gettext("Mean\ndiffers")),
+        Column(gettext("Mean\nsignificant")),
     )  # fmt: skip
     cells = []
     for line in (*found.lines, found.together):
@@ -115,7 +118,7 @@ def _uncertainty(found: Absolute) -> Table:
         Column(gettext("Line"), "left"), Column(gettext("Reference")),
         Column(gettext("POS\nposition")), Column(gettext("POS\nattitude")),
         Column(gettext("Boresight")), Column(gettext("Scatter")), Column(gettext("Total")),
-        Column(gettext("RMS\nexpected")), Column(gettext("Share of the RMS\nby the reference")),
+        Column(gettext("Expected\nRMS")), Column(gettext("RMS share due\nto the reference")),
     )  # fmt: skip
     cells = []
     for line in (*found.lines, found.together):
@@ -128,17 +131,17 @@ def _uncertainty(found: Absolute) -> Table:
                 percent(line.after.reference_share),
             ]
         )  # fmt: skip
-    title = gettext("Uncertainty of the mean after the calibration, 1 sigma (mm)")
+    title = gettext("Uncertainty of the mean distance after the calibration, 1 sigma (mm)")
     return Table(title, columns, rows(cells))
 
 
 def _points(points: Sequence[SurveyedPoint]) -> Table:
     return Table(
-        gettext("Surveyed points and planes, mean of the lines (mm)"),
+        gettext("Distances from surveyed points and planes, mean of the lines (mm)"),
         (
             Column(gettext("Name"), "left"), Column(gettext("Lines")), Column(gettext("Sigma")),
             Column(gettext("Before")), Column(gettext("After")),
-            Column(gettext("95 % of\nthe mean")), Column(gettext("Mean\ndiffers")),
+            Column(gettext("95 %\ninterval\nof mean")), Column(gettext("Mean\nsignificant")),
         ),
         rows(
             [

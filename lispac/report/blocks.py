@@ -118,8 +118,8 @@ class PageTexts:
 
     made: str = "Made {when} by {program}"
     page: str = "Page {page} of {pages}"
-    warnings: str = "Warnings"
-    remarks: str = "Remarks"
+    warnings: str = "Serious warnings"
+    remarks: str = "Other warnings"
     contents: str = "Contents"
 
 

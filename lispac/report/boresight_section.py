@@ -20,20 +20,20 @@ from lispac.report.wording import (
     title,
 )
 
-VARIANCE_FACTOR = N_("{factor}, from the given sigmas")
+VARIANCE_FACTOR = N_("{factor}, computed with the given sigmas")
 VARIANCE_FACTOR_COMPONENTS = N_(
-    "{factor}, from the given sigmas times the variance components applied"
+    "{factor}, computed with the given sigmas multiplied by the applied variance components"
 )
 VARIANCE_FACTOR_BEFORE_NOISE = N_(
-    "{factor}, from the given sigmas, before the LiDAR noise found in the residuals was applied"
+    "{factor}, computed with the given sigmas, without the LiDAR noise estimated from the residuals"
 )
 VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE = N_(
-    "{factor}, from the given sigmas times the variance components applied, before the LiDAR noise "
-    "found in the residuals was applied"
+    "{factor}, computed with the given sigmas multiplied by the applied variance components, "
+    "without the LiDAR noise estimated from the residuals"
 )
 OUTLIERS_LEFT_OUT = Plural(
-    "{points:n}; {count:n} outlier was kept out of the averages",
-    "{points:n}; {count:n} outliers were kept out of the averages",
+    "{points:n}; {count:n} outlier excluded from the averages",
+    "{points:n}; {count:n} outliers excluded from the averages",
 )
 
 
@@ -65,7 +65,7 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
             statistic=statistic, lower=grouped(test.lower, 1), upper=grouped(test.upper, 1),
         )  # fmt: skip
     return facts(
-        gettext("Fit"),
+        gettext("Fit of the adjustment"),
         [
             (gettext("Points"), _points(adjustment)),
             (gettext("Iterations"), fixed(adjustment.iterations, 0)),
@@ -73,9 +73,12 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
             (gettext("Variance factor"), _variance_factor(content, adjustment)),
             (gettext("Chi-square test at 95 %"), statistic),
             ("", gettext(test.in_words)),
-            (gettext("RMS before"), gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m)),
             (
-                gettext("RMS after"),
+                gettext("RMS before calibration"),
+                gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
+            ),
+            (
+                gettext("RMS after calibration"),
                 gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
             ),
             (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_in_words)),
@@ -98,14 +101,14 @@ def _variance_factor(content: ReportContent, adjustment: Adjustment) -> str:
 
 def _parameters(adjustment: Adjustment) -> list[Block]:
     table = Table(
-        gettext("Values estimated with the boresight"),
+        gettext("Parameters estimated together with the boresight"),
         (
             Column(gettext("Value"), "left"),
             Column(gettext("Prior")),
             Column(gettext("Prior\n1 sigma")),
             Column(gettext("Estimated")),
             Column(gettext("1 sigma")),
-            Column(gettext("Change over\nits sigma")),
+            Column(gettext("Change /\nsigma")),
             Column(gettext("Finding"), "left"),
         ),
         rows(_parameter_row(p) for p in adjustment.parameters),
@@ -118,9 +121,9 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
         blocks.append(
             Paragraph(
                 gettext(
-                    "A change is significant where it is more than {limit} times its sigma; chance "
-                    "exceeds that once in twenty times. The boresight of this report holds with "
-                    "the estimated values only, not with the prior ones.",
+                    "A change is significant if it exceeds {limit} times its sigma; by chance, "
+                    "this happens once in twenty cases. The boresight of this report is valid "
+                    "only together with the estimated parameters, not with the prior ones.",
                     limit=shortest(SIGNIFICANT),
                 )
             )
@@ -150,7 +153,7 @@ def _finding(found: ExtraParameter) -> str:
     if found.value is not None:
         return gettext("not tested (uncorrelated POS errors)")
     if found.prior_sigma is None:
-        return gettext("kept as given")
+        return gettext("not estimated, given value used")
     return gettext("not determined")
 
 
@@ -169,7 +172,7 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
     if len(adjustment.estimated) > len(names):
         from lispac.report.figures import correlation_figure_of
 
-        caption = gettext("Correlations of all estimated values.")
+        caption = gettext("Correlations of all estimated parameters.")
         values = (adjustment.estimated, adjustment.correlation_all)
         blocks.append(Drawing(caption, correlation_figure_of, values, width=0.55))
     return blocks
@@ -177,12 +180,12 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
 
 def _observability(content: ReportContent, found: ObservabilityValues) -> list[Block]:
     condition = gettext(
-        "Condition number of the normal matrix of the angles: {number} (1 if all directions have "
-        "the same sigma).",
+        "Condition number of the normal matrix of the angles: {number} (1 means that all "
+        "combinations of the angles have the same sigma).",
         number=known(found.condition, lambda v: grouped(v, 1)),
     )
     blocks: list[Block] = [
-        Paragraph(gettext("How well the lines determine the angles:")),
+        Paragraph(gettext("Observability of the angles on these lines:")),
         Bullets((*map(sentence, found.in_words), condition)),
     ]
     if found.sigma_without_line_deg:
@@ -206,7 +209,7 @@ def _observability(content: ReportContent, found: ObservabilityValues) -> list[B
 
 def _effects(adjustment: Adjustment) -> Table:
     return Table(
-        gettext("Displacement of a point by 1 sigma of the boresight (cm)"),
+        gettext("Displacement of a point caused by a boresight error of 1 sigma (cm)"),
         (
             Column(gettext("Angle"), "left"),
             *(
@@ -226,5 +229,5 @@ def _points(adjustment: Adjustment) -> str:
 
 def _effect_name(angle: str) -> str:
     if angle == "worst direction":
-        return gettext("All three together, in the worst direction")
+        return gettext("All three angles together, worst case")
     return title(angle)

@@ -18,14 +18,14 @@ def budget_blocks(found: Budget) -> list[Block]:
 
 
 def _table(found: Budget, beam: BeamErrors) -> Table:
-    components = (gettext("Horizontal"), gettext("Vertical"), gettext("Across"))
+    components = (gettext("Horizontal"), gettext("Vertical"), gettext("Across\nbeam"))
     distances = [gettext("at {distance} m", distance=shortest(d)) for d in found.distances_m]
     columns = (
         Column(gettext("Source"), "left"),
         *(Column(f"{name}\n{distance}") for distance in distances for name in components),
     )
     return Table(
-        gettext("Error of a point, 1 sigma, beam {beam} (cm)", beam=beam.beam),
+        gettext("Error of a point, 1 sigma (cm); beam {beam}", beam=beam.beam),
         columns,
         rows(
             [str(each.source), *_cells(each, len(found.distances_m))]

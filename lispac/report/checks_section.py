@@ -36,30 +36,34 @@ STANDINGS: Mapping[str, str] = {
 """Result of the test of a sighting, by what the content calls it."""
 
 SIGHTING_TEST = N_(
-    "Each sighting is compared with the result of all others. Shift: its distance along the normal "
-    "of the surface. w: the shift over its sigma; beyond {limit} the sighting disagrees (1 % "
-    "probability that any of {count:n} does so without a blunder). Detectable: the smallest shift "
-    "that the test finds with 80 % probability. Effect: change of the angles by a shift of that "
-    "size that is not found."
+    "Each sighting is compared with the result of all others. Shift: distance of the sighting "
+    "from the surface of its target, along the normal. w: shift divided by its sigma; above "
+    "{limit} the sighting disagrees (1 % probability that any of {count:n} sightings without a "
+    "blunder does so). Detectable shift: smallest shift that the test finds with 80 % "
+    "probability. Effect: change of the angles caused by a shift of that size that is not found."
 )
 POINT_TEST = N_(
-    "Single points are tested likewise. Redundancy: how far the other data check each point, from "
-    "0 (not at all) to 1. Outliers: points beyond {limit} of their sigmas, which one in a thousand "
-    "exceeds by chance. Largest w: distance over its sigma of the farthest point, with its time in "
-    "the line; averaged points have the mean of their times."
+    "Single points are tested in the same way. Redundancy: control of each point by the other "
+    "data, from 0 (none) to 1. Outliers: points farther from the surface than {limit} sigma; by "
+    "chance, one point in a thousand exceeds this limit. Largest w: distance of the farthest "
+    "point divided by its sigma, with its time on the line; averaged points have the mean of "
+    "their times."
 )
 POS_ERRORS = N_(
-    "Estimated POS error of each sighting with its 2 sigma (bar); grey: the prior 2 sigma. Errors "
-    "beyond the grey are red: the POS was worse than given, or another error was attributed to it."
+    "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
+    "sigma interval. Red: the error is outside the prior interval; the POS was less accurate than "
+    "given, or another error was attributed to it."
 )
 CROSS_CHECKS = N_(
-    "The adjustment is repeated without each line, without each target, and with each half of the "
-    "lines in the order of the survey. The spread is the 1 sigma of the angles from the results "
-    "without one line, or without one target (jackknife). It does not depend on the given sigmas."
+    "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
+    "and with each half of the lines in the order of the survey. The spread is the standard "
+    "deviation of the angles computed from the results with one line omitted, or with one target "
+    "omitted (jackknife). It does not depend on the given sigmas."
 )
 PARTS = N_(
-    "Over its sigma: the difference over its expected standard deviation. Beyond 3, the part "
-    "disagrees with the whole, or one half with the other, by more than chance explains."
+    "The differences are also given divided by their expected sigma. Above 3, the subset "
+    "disagrees with the full adjustment, or the two halves with each other, by more than chance "
+    "explains."
 )
 
 
@@ -72,7 +76,7 @@ def reliability(content: ReportContent) -> list[Block]:
         if content.settings.pos_errors == "independent":
             untested = gettext(
                 "Sightings are not tested: in this stochastic model the points of a sighting have "
-                "no error in common."
+                "no common error."
             )
         else:
             untested = gettext("Sightings are not tested: the surface sigma was set to zero.")
@@ -97,8 +101,8 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
             Column(gettext("Line"), "left"),
             Column(in_unit(gettext("Shift"), "mm")),
             Column("w"),
-            Column(in_unit(gettext("Detectable"), "mm")),
-            Column(in_unit(gettext("Effect, roll"), deg)),
+            Column(in_unit(gettext("Detectable\nshift"), "mm")),
+            Column(in_unit(gettext("Effect on\nroll"), deg)),
             Column(in_unit(gettext("Pitch"), deg)),
             Column(in_unit(gettext("Yaw"), deg)),
             Column(gettext("Finding"), "left"),
@@ -128,7 +132,7 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
             Column(gettext("Redundancy")),
             Column(gettext("Outliers")),
             Column(gettext("Largest w")),
-            Column(gettext("Its time (s)")),
+            Column(gettext("Time of\nlargest w (s)")),
         ),
         rows(
             [
@@ -150,8 +154,8 @@ def _remarks(found: Sequence[SightingCheck]) -> list[Block]:
     for sighting in found:
         if sighting.released:
             template = N_(
-                "{target} on line {line} disagrees with all other sightings and was rejected: the "
-                "result is the same without it."
+                "{target} on line {line} disagrees with all other sightings. It was rejected and "
+                "does not affect the result."
             )
         elif sighting.in_words == "disagrees":
             template = N_(
@@ -167,7 +171,9 @@ def _remarks(found: Sequence[SightingCheck]) -> list[Block]:
         if s.in_words == "not checked"
     ]
     if unchecked:
-        remarks.append(gettext("Checked by no other data: {sightings:names}.", sightings=unchecked))
+        remarks.append(
+            gettext("Not checked by other data: {sightings:names}.", sightings=unchecked)
+        )
     return [Bullets(tuple(remarks))] if remarks else []
 
 
@@ -186,7 +192,7 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
     ]
     deg = degrees_unit()
     table = Table(
-        gettext("Estimated POS error in the middle of each sighting"),
+        gettext("Estimated POS error at the middle of each sighting"),
         (
             Column(gettext("Target"), "left"),
             Column(gettext("Line"), "left"),
@@ -220,14 +226,14 @@ def cross_checks(content: ReportContent) -> list[Block]:
         return []
     checks = content.cross_checks
     if checks is None:
-        return [Paragraph(gettext("No part of the data was adjusted separately."))]
+        return [Paragraph(gettext("The adjustment was not repeated with subsets of the data."))]
     blocks: list[Block] = [Paragraph(gettext(CROSS_CHECKS)), _spread_table(content, checks)]
     if checks.spread_lines_deg is None:
         blocks.append(
             Paragraph(
                 gettext(
-                    "The spread with one line left out needs at least three lines, and a result "
-                    "without each of them."
+                    "The spread with one line omitted requires at least three lines, and a result "
+                    "with each of them omitted."
                 )
             )
         )
@@ -235,8 +241,8 @@ def cross_checks(content: ReportContent) -> list[Block]:
         blocks.append(
             Paragraph(
                 gettext(
-                    "The spread with one target left out needs at least three targets, and a "
-                    "result without each of them."
+                    "The spread with one target omitted requires at least three targets, and a "
+                    "result with each of them omitted."
                 )
             )
         )
@@ -250,19 +256,22 @@ def cross_checks(content: ReportContent) -> list[Block]:
         if part.reason
     )
     if reasons:
-        blocks += [Paragraph(gettext("Without a result:")), Bullets(reasons)]
+        blocks += [Paragraph(gettext("Subsets without a result:")), Bullets(reasons)]
     return blocks
 
 
 def _spread_table(content: ReportContent, checks: CrossChecked) -> Table:
     spreads = (
-        (gettext("Formal"), checks.sigma_deg),
-        (gettext("Spread, one line left out"), checks.spread_lines_deg),
-        (gettext("Spread, one target left out"), checks.spread_targets_deg),
+        (gettext("From the adjustment"), checks.sigma_deg),
+        (gettext("Spread, one line omitted"), checks.spread_lines_deg),
+        (gettext("Spread, one target omitted"), checks.spread_targets_deg),
     )
     deg = degrees_unit()
     return Table(
-        gettext("Standard deviations of the angles, formal and from the scatter of the subsets"),
+        gettext(
+            "Standard deviations of the angles, from the adjustment and from the scatter of "
+            "the subsets"
+        ),
         (Column("", "left"), *(Column(in_unit(title(a.name), deg)) for a in content.angles)),
         rows(
             [name, *([UNKNOWN] * 3 if values is None else [fixed(v, 4) for v in values])]
@@ -275,11 +284,11 @@ def _parts_table(content: ReportContent, checks: CrossChecked) -> Table:
     angles = [title(angle.name) for angle in content.angles]
     deg = degrees_unit()
     return Table(
-        gettext("Results of parts of the data, as differences from the whole"),
+        gettext("Results of subsets of the data: differences from the full adjustment"),
         (
-            Column(gettext("Part"), "left"),
+            Column(gettext("Subset"), "left"),
             *(Column(in_unit(name, deg)) for name in angles),
-            *(Column(gettext("{angle} over\nits sigma", angle=name)) for name in angles),
+            *(Column(gettext("{angle}\n/ sigma", angle=name)) for name in angles),
             Column(gettext("Finding"), "left"),
         ),
         rows(

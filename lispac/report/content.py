@@ -177,7 +177,7 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
                 done += len(block)
                 progress(
                     min(1.0, done / size),
-                    gettext_lazy("Reading {file} for its digest", file=path.name),
+                    gettext_lazy("Computing the checksum of {file}", file=path.name),
                 )
     except OSError:
         # The report says so in a warning; what was computed still stands.
@@ -284,22 +284,22 @@ def _judged(target: str, line: str, quality: SightingQuality, *, by_hand: bool) 
 NOT_TESTED = N_("Not tested: there are no more points than unknowns.")
 PASSED = N_("Passed: the residuals agree with the given sigmas.")
 TOO_LARGE = N_(
-    "Failed: the residuals are larger than the given sigmas allow. Possible causes: a LiDAR sigma "
-    "given too small, a rough target, or outliers."
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
+    "LiDAR sigma is too small, a target is rough, or there are outliers."
 )
 TOO_LARGE_NOISE = N_(
-    "Failed: the residuals are larger than the given sigmas allow. Possible causes: a LiDAR sigma "
-    "given too small, a rough target, or outliers. The sigmas of the angles are computed with the "
-    "noise found in the residuals."
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
+    "LiDAR sigma is too small, a target is rough, or there are outliers. The sigmas of the angles "
+    "are computed with the noise found in the residuals."
 )
 TOO_LARGE_CLASSICAL = N_(
-    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the sigmas are "
-    "given too small, or a target is not one plane on all lines. The sigmas of the angles are then "
-    "too small as well."
+    "Failed: the residuals are larger than the given sigmas allow. Possible causes: the given "
+    "sigmas are too small, or a target is not the same plane on all lines. The sigmas of the "
+    "angles are then too small as well."
 )
 TOO_SMALL = N_(
-    "Failed: the residuals are smaller than expected. The given LiDAR or POS sigmas are too large. "
-    "Without other warnings, the sigmas of the angles are too large as well."
+    "Failed: the residuals are smaller than expected. The given LiDAR or POS sigmas are too "
+    "large. If there is no other warning, the sigmas of the angles are too large as well."
 )
 
 

@@ -75,8 +75,9 @@ def control_figure(
     panels[-1].xaxis.set_major_formatter(formatter)
     figure.supxlabel(
         gettext(
-            "Dot and bar: a calibration with its 95 % interval (brown: the mounting has moved). "
-            "Line and band:\nmean of those before, and three sigmas of the difference."
+            "Dot and bar: one calibration with its 95 % interval (brown: the mounting has moved). "
+            "Line and band:\nmean of the earlier calibrations and three sigmas of the difference "
+            "from it."
         ),
         fontsize=TEXT, color=INK,
     )  # fmt: skip

@@ -36,7 +36,7 @@ def _convention(found: InConvention) -> list[Block]:
         "{status}; source: {source}", status=found.status_in_words, source=found.source
     )
     lever_arm = gettext(
-        "X {x} m, Y {y} m, Z {z} m: LiDAR optical centre from the POS centre", x=x, y=y, z=z
+        "X {x} m, Y {y} m, Z {z} m, from the POS centre to the LiDAR optical centre", x=x, y=y, z=z
     )
     values = [
         (gettext("Verification"), source),
@@ -92,7 +92,7 @@ def _program(name: str) -> str:
 
 def _rotation(found: InConvention) -> str:
     if not found.angles:
-        return gettext("imported as a matrix only")
+        return gettext("this program imports a matrix, not angles")
     return gettext(
         DIRECTIONS[found.direction_in_words], formula=str(found.formula).replace("-", MINUS)
     )
@@ -113,8 +113,8 @@ def _matrix(found: ScannerToBody) -> list[Block]:
         ),
         Paragraph(
             gettext(
-                "Rows: X {x}, Y {y}, Z {z} of the body, and the last row of any 4x4 matrix. The "
-                "first three columns of the first three rows are the 3x3 rotation.",
+                "Rows 1 to 3: body axes X {x}, Y {y}, Z {z}. Row 4: constant last row of a 4x4 "
+                "transformation matrix. The first three rows and columns are the 3x3 rotation.",
                 x=axes[0], y=axes[1], z=axes[2],
             )
         ),

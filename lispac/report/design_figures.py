@@ -18,7 +18,7 @@ from lispac.report.wording import fixed, parameter
 BEYOND = 4.0
 """Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
 
-EXPECTED = N_("Scatter over predicted sigma; the curve is the expected distribution")
+EXPECTED = N_("Above each plot: scatter / predicted sigma. Curve: expected distribution")
 RATIOS: Mapping[str, str] = {
     "roll": N_("roll: {ratio} ± {interval}"),
     "pitch": N_("pitch: {ratio} ± {interval}"),
@@ -79,7 +79,7 @@ def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None
         axes.annotate(size, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
                       color=INK)  # fmt: skip
     quantity = gettext("{quantity} (deg)", quantity=gettext(label))
-    dress(axes, gettext("Minutes on site (targets × lines beside each)"), quantity)
+    dress(axes, gettext("Minutes on site (labels: targets × lines)"), quantity)
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure
 
@@ -99,7 +99,7 @@ def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
         dress(
             axes,
             gettext("error / predicted sigma") if k == 1 else "",
-            gettext("surveys") if k == 0 else "",
+            gettext("number of surveys") if k == 0 else "",
         )
         ratio = found.ratio[k]
         head = gettext(

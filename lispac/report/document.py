@@ -67,7 +67,7 @@ def undrawn_document(
     status, verdict = _verdict(content, bool(serious))
     parts = [
         _section(gettext("Boresight and its uncertainty"), boresight(content)),
-        _section(gettext("Uncertainty in standard terms"), standards(content)),
+        _section(gettext("Uncertainty in standard terms (IHO S-44, USGS)"), standards(content)),
         _section(gettext("Values for other programs"), other_programs(content)),
         _section(gettext("Targets and residuals"), sections.residuals(content)),
         _section(gettext("Quality of the sightings"), quality_of_sightings(content)),
@@ -75,7 +75,7 @@ def undrawn_document(
         _section(gettext("Cross-checks"), cross_checks(content)),
         _section(gettext("Validation"), validation(content)),
         _section(gettext("Alternative methods"), second_opinions(content)),
-        _section(gettext("Absolute check"), absolute(content)),
+        _section(gettext("Check against the reference"), absolute(content)),
         _section(gettext("Site and lines"), sections.site(content)),
         _section(gettext("Settings and input files"), settings(content)),
         _section(gettext("Pictures"), _views(pictures)),
@@ -106,8 +106,8 @@ def undrawn_document(
         furniture=PageTexts(
             made=gettext("Made {when} by {program}"),
             page=gettext("Page {page} of {pages}"),
-            warnings=gettext("Warnings"),
-            remarks=gettext("Remarks"),
+            warnings=gettext("Serious warnings"),
+            remarks=gettext("Other warnings"),
             contents=gettext("Contents"),
         ),
     )
@@ -168,7 +168,7 @@ def _verdict(content: ReportContent, serious: bool) -> tuple[Status, str]:
     if serious:
         return "bad", gettext("CALIBRATED WITH SERIOUS WARNINGS")
     if content.cautions:
-        return "fair", gettext("CALIBRATED, WITH REMARKS")
+        return "fair", gettext("CALIBRATED, WITH WARNINGS")
     return "good", gettext("CALIBRATED")
 
 

@@ -23,19 +23,20 @@ PAGE = (8.27, 11.69)
 
 WALL, WRONG = "#8a8f98", "#b3261e"
 ASSUMED = N_(
-    "Heights are above the POS of the vessel. Along is counted to the right from the middle of the "
-    "site: mark it on the wall first. Distance: from the middle of the site to the line. Off wall: "
-    "the smallest distance on the way. Straight from, to: metres along the line before and after "
-    "the middle is abeam; keep course and speed there. The order of the lines counts. Headings are "
-    "from true north. Fix the boards flat and firmly: the sigmas assume that they do not move by "
-    "a millimetre."
+    "Heights are relative to the POS of the vessel. Along wall: distance to the right of the "
+    "middle of the site; mark the middle on the wall first. From wall: positive towards the "
+    "water. Azimuth: direction that the board faces. Distance: from the middle of the site to the "
+    "line. Clearance: smallest distance between line and wall. Straight part: to be run at "
+    "constant course and speed, in metres before (−) and after (+) the middle of the site is "
+    "abeam. Run the lines in the given order. Headings and azimuths are from true north. Fix the "
+    "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
 PITCH, CLOSEST, ROOM, LIFT = 0.019, 0.0115, 0.24, 0.26
 """Shares of the page: height of a row, its smallest value, room of the rows beside drawings of the
 usual height, and the most that drawings lose where there are many rows."""
 MOST_CAUTIONS, WIDE = 3, 140
 """Warnings that are printed, and letters in a line."""
-MORE = Plural("And {count:n} more like these.", "And {count:n} more like these.")
+MORE = Plural("{count:n} more warning is not shown.", "{count:n} more warnings are not shown.")
 BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Metres: lengths of the scale."""
 
@@ -68,7 +69,7 @@ def field_plan(
     low = 0.325 + lift
     _table(figure, low, pitch, gettext("Targets"), TARGET_HEADS, _target_rows(plan, wall))
     low -= pitch * (len(plan.targets) + 2.3)
-    _table(figure, low, pitch, gettext("Lines, in this order"), LINE_HEADS, _line_rows(plan, wall))
+    _table(figure, low, pitch, gettext("Lines in survey order"), LINE_HEADS, _line_rows(plan, wall))
     low -= pitch * (len(plan.lines) + 2.3)
     for caution in cautions:
         figure.text(0.07, low, caution, fontsize=TEXT, color=WRONG, va="top", weight="bold")
@@ -93,8 +94,8 @@ def _expected(plan: Plan) -> str:
 def _assumptions(plan: Plan) -> str:
     pos = plan.system.pos
     return gettext(
-        "Predicted with a POS of {position} mm (north, east, up) and {attitude} deg (roll, pitch, "
-        "heading), and targets flat to {flatness} mm.",
+        "Prediction for POS sigmas of {position} mm (north, east, up) and {attitude} deg (roll, "
+        "pitch, heading), and for targets with a form error of {flatness} mm.",
         position=_three([shortest(1000 * value) for value in pos.sigma_position]),
         attitude=_three([localised(f"{value:.3g}") for value in np.degrees(pos.sigma_attitude)]),
         flatness=shortest(1000 * plan.flatness),
@@ -210,14 +211,14 @@ def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
 
 
 TARGET_HEADS = (
-    N_("target"), N_("along (m)"), N_("off the wall (m)"), N_("above POS (m)"), N_("size (m)"),
-    N_("from level (deg)"), N_("faces (deg)"),
+    N_("target"), N_("along wall (m)"), N_("from wall (m)"), N_("above POS (m)"), N_("size (m)"),
+    N_("inclination (deg)"), N_("azimuth (deg)"),
 )  # fmt: skip
 AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
 """Left ends of the columns, as shares of the width of the page."""
 LINE_HEADS = (
-    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("site on"), N_("off wall (m)"),
-    N_("speed (m/s)"), N_("straight from, to (m)"),
+    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side of site"), N_("clearance (m)"),
+    N_("speed (m/s)"), N_("straight part (m)"),
 )  # fmt: skip
 
 
@@ -227,7 +228,7 @@ def _target_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
         along, off, up = wall.seen(target.centre)
         place = (target.name, _signed(along), _signed(off), fixed(up, 2))
         if isinstance(target, Ball):
-            ball = gettext("ball, r {radius:m.3}", radius=target.radius)
+            ball = gettext("sphere, r {radius:m.3}", radius=target.radius)
             rows.append((*place, ball, "", ""))
             continue
         lean, azimuth = wall.facing_of(target)
@@ -244,10 +245,10 @@ def _signed(metres: float) -> str:
 def _inclination(degrees: float) -> str:
     """Inclination from level, and to which side; 90 is upright."""
     if abs(degrees - 90.0) < 0.5:
-        return gettext("90, upright")
+        return gettext("90, vertical")
     if degrees < 90.0:
-        return gettext("{degrees}, leans back", degrees=fixed(degrees, 0))
-    return gettext("{degrees}, leans forward", degrees=fixed(180 - degrees, 0))
+        return gettext("{degrees}, tilted back", degrees=fixed(degrees, 0))
+    return gettext("{degrees}, tilted forward", degrees=fixed(180 - degrees, 0))
 
 
 def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:

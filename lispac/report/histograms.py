@@ -26,11 +26,11 @@ NEAR, WORTH_IT = 1.6, 0.4
 """The distances after are enlarged beside the whole: width in their 95th percentiles, and the share
 of the whole below which that is done."""
 COLOURS = (BEFORE, AFTER)
-_WHOLE = N_("Distance between lines (mm); last bin: all larger ones")
-_NEAR = N_("Enlarged (mm)")
+_WHOLE = N_("Distance between lines (mm); last bin includes larger values")
+_NEAR = N_("Enlarged view (mm)")
 _POOLED: Mapping[str, str] = {
-    "reciprocal pairs": N_("{plane}, reciprocal pairs, {model}"),
-    "all pairs": N_("{plane}, all pairs, {model}"),
+    "reciprocal pairs": N_("{plane}, reciprocal pairs of lines, {model}"),
+    "all pairs": N_("{plane}, all pairs of lines, {model}"),
 }
 """Title by the pairs of lines that a plane's distances are from."""
 

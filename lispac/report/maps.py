@@ -24,7 +24,7 @@ from lispac.validation.results import PlaneComparison
 
 Array = NDArray[np.float64]
 
-STATES = N_("before"), N_("after"), N_("after, own scale")
+STATES = N_("before"), N_("after"), N_("after, separate scale")
 COLOURS = "RdBu_r"
 """Red where the first line is nearer to the vessel, white where the two coincide."""
 WITHIN = 98.0
@@ -61,7 +61,10 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValues]) -
         figure = blank(figure, (WIDTH, 1.0))
         axes = figure.add_subplot()
         axes.set_axis_off()
-        missing = gettext("{plane}: no map; validate again", plane=short_name(name))
+        missing = gettext(
+            "{plane}: this result contains no map. Run the validation again.",
+            plane=short_name(name),
+        )
         axes.text(
             0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT, color=INK,
             transform=axes.transAxes,
@@ -73,7 +76,7 @@ def _maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValues]) -
     common = max(_end(each.before_m + each.after_m) for each in maps)
     own = max(_end(each.after_m) for each in maps)
     named, size = _named(maps, tall, figure, places[0][0])
-    across, up = gettext("Across (m)"), gettext("Up (m)")
+    across, up = gettext("Horizontal (m)"), gettext("Up (m)")
     for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
         before, after = _grids(pair)
         for axes, values, end, state in zip(
@@ -105,7 +108,7 @@ def _named(
     room = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
     room *= CLEAR
     others = [_two_lines(gettext(s)) for s in STATES] if tall else [gettext("Up (m)")]
-    for template in (N_("{line}\nfrom {other}"), N_("{line}\nfrom\n{other}")):
+    for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
         named = [
             gettext(
                 template,

@@ -18,9 +18,9 @@ METHODS: Mapping[str, str] = {
 """Names of the methods, as they begin a row of a table."""
 
 EXPLAINED = N_(
-    "Other methods on the same lines: adjustment with the validation planes as targets (natural "
-    "planes), surfaces of the scene that were not picked (targetless), rotation of the lines until "
-    "they agree on objects (patch test). None of them uses the targets."
+    "Other methods applied to the same lines: adjustment with the validation planes as targets "
+    "(natural planes), adjustment with surfaces detected automatically in the scene (targetless), "
+    "alignment of the lines on common objects (patch test). None of them uses the targets."
 )
 
 
@@ -65,7 +65,7 @@ def _results(found: tuple[MethodAnswer, ...]) -> Table:
 def _differences(found: tuple[MethodAnswer, ...]) -> Table:
     columns = [Column(gettext("Method"), "left")]
     for name in ANGLES:
-        columns += [Column(title(name)), Column(gettext("over its\nsigma"))]
+        columns += [Column(title(name)), Column(gettext("Difference\n/ sigma"))]
     cells = []
     for each in found:
         if each.difference_deg is None or each.over_sigma is None:
@@ -74,6 +74,6 @@ def _differences(found: tuple[MethodAnswer, ...]) -> Table:
         for value, over in zip(each.difference_deg, each.over_sigma, strict=True):
             row += [angle(value), signed(over, 1)]
         cells.append([*row, gettext("yes") if each.differ else gettext("no")])
-    columns.append(Column(gettext("Differs")))
-    head = gettext("Differences from the first method (deg): {method}", method=_method(found[0]))
+    columns.append(Column(gettext("Significant\ndifference")))
+    head = gettext("Differences from the first method, {method} (deg)", method=_method(found[0]))
     return Table(head, tuple(columns), rows(cells))

@@ -60,8 +60,9 @@ def _profiles(
     else:
         places[0].set_axis_off()
         places[0].text(
-            0.5, 0.5, gettext("Made by an earlier version: validate again"), ha="center",
-            va="center", fontsize=TEXT, color=INK, transform=places[0].transAxes,
+            0.5, 0.5,
+            gettext("This result is from an earlier version. Run the validation again."),
+            ha="center", va="center", fontsize=TEXT, color=INK, transform=places[0].transAxes,
         )  # fmt: skip
     figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
     return figure

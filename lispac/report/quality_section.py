@@ -16,15 +16,17 @@ LIGHTS: Mapping[str, str] = {
 """Judgement of a sighting, by what the content calls it."""
 
 COLUMNS = N_(
-    "RMS: about the surface of the sighting itself. Incidence: angle between the beams and the "
-    "normal of the surface."
+    "RMS: distance of the points from the surface fitted to this sighting alone. Incidence: angle "
+    "between the beams and the normal of the surface."
 )
 EXTENT = N_(
-    "Extent observed: size of the sighting over the size that the other lines show together."
+    "Extent observed: size of the sighting, in percent of the size observed on all other lines "
+    "together."
 )
 BEFORE_CALIBRATION = N_(
-    "Before the calibration, RMS, curvature and flatness are not judged by what an error of the "
-    "rough boresight can explain: it bends what is seen from a moving vessel."
+    "Before the calibration, the boresight error distorts the points measured from a moving "
+    "vessel. Therefore only the part of RMS, curvature and flatness that this error does not "
+    "explain is assessed."
 )
 
 
@@ -42,7 +44,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
             Column(in_unit(gettext("Range"), "m")),
             Column(gettext("Points\nper m²")),
             Column(in_unit(gettext("Incidence"), degrees_unit())),
-            Column(in_unit(gettext("Covered"), "%")),
+            Column(in_unit(gettext("Coverage"), "%")),
             Column(gettext("Extent\nobserved (%)")),
             Column(gettext("Quality"), "left", wide=True),
         ),
@@ -75,4 +77,4 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
 def _edited(sighting: SightingJudged) -> tuple[str, ...]:
     if not sighting.edited_by_hand:
         return ()
-    return (gettext("Its points were edited by hand."),)
+    return (gettext("The points of this sighting were edited manually."),)

@@ -35,15 +35,16 @@ from lispac.report.wording import (
 )
 
 COMMON_SURFACE = N_(
-    "RMS and mean are distances from the surface that all lines have in common. After the "
-    "adjustment they still contain the POS error of each sighting, which no boresight removes."
+    "RMS and mean are distances from the common surface of all lines. After the adjustment they "
+    "still contain the POS error of each sighting, which the boresight cannot correct."
 )
 NOISE_FACTOR = N_(
-    "Noise factor: LiDAR noise found in the residuals, without POS errors, over the given noise. "
-    "Where it is above 1, the sigmas of the angles are computed with it."
+    "Noise factor: LiDAR noise estimated from the residuals, without POS errors, divided by the "
+    "given noise. If it is above 1, the sigmas of the angles are computed with the estimated "
+    "noise."
 )
 TRAJECTORY_COLUMNS = N_(
-    "Roll and pitch: motion of the vessel (standard deviation). The last four columns are the "
+    "Roll and pitch: motion of the vessel (standard deviation). The last four columns give the "
     "largest 1 sigma of the POS on the line, as given."
 )
 
@@ -61,8 +62,8 @@ def summary(content: ReportContent) -> list[Block]:
             blocks.append(
                 Paragraph(
                     gettext(
-                        "Estimated together with the boresight, which holds with these values "
-                        "only: {values:names}.",
+                        "Estimated together with the boresight: {values:names}. The boresight is "
+                        "valid with these values only.",
                         values=extra,
                     )
                 )
@@ -129,7 +130,7 @@ def _angle_table(content: ReportContent) -> Table:
                 known(a.interval95_deg, lambda v: interval(fixed(v, 4))),
             ]
     if content.simulated:
-        columns.append(Column(in_unit(gettext("Truth"), deg)))
+        columns.append(Column(in_unit(gettext("True value"), deg)))
         for row, a in zip(cells, content.angles, strict=True):
             row.append(known(a.truth_deg, angle))
         if content.calibrated:
@@ -150,7 +151,7 @@ def residuals(content: ReportContent) -> list[Block]:
         for line, reason in plane.missing.items()
     )
     if reasons:
-        blocks += [Paragraph(gettext("Not found:")), Bullets(reasons)]
+        blocks += [Paragraph(gettext("Targets not found on some lines:")), Bullets(reasons)]
     if content.adjustment is not None:
         blocks += _fit_tables(content.adjustment, content.settings.pos_errors == "correlated")
     return blocks or [Paragraph(gettext("No target has been picked yet."))]
@@ -158,7 +159,7 @@ def residuals(content: ReportContent) -> list[Block]:
 
 def _planes_table(content: ReportContent) -> Table:
     return Table(
-        gettext("Targets and validation planes as picked (seed in the local frame)"),
+        gettext("Targets and validation planes (coordinates of the seed in the local frame)"),
         (
             Column(gettext("Name"), "left"),
             Column(gettext("Role"), "left"),
@@ -249,7 +250,7 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
         ),
     )
     bars = Drawing(
-        gettext("RMS of each sighting, before and after."),
+        gettext("RMS of each sighting, before and after the calibration."),
         residual_figures_of,
         (adjustment.sightings,),
     )
@@ -264,7 +265,7 @@ def site(content: ReportContent) -> list[Block]:
     blocks: list[Block] = []
     if any(line.track_local_m for line in content.lines) or content.planes:
         values = (content.lines, content.planes)
-        blocks.append(Drawing(gettext("Plan of the site, local frame."), site_figure_of, values))
+        blocks.append(Drawing(gettext("Site plan in the local frame."), site_figure_of, values))
     blocks.append(
         Table(
             gettext("Lines"),
@@ -299,7 +300,7 @@ def _trajectory(lines: Sequence[TrajectoryOnLine]) -> list[Block]:
                 Column(gettext("Line"), "left"),
                 Column(in_unit(gettext("Duration"), "s")),
                 Column(in_unit(gettext("Speed"), "m/s")),
-                Column(in_unit(gettext("Interval"), "s")),
+                Column(in_unit(gettext("Sampling\ninterval"), "s")),
                 Column(gettext("Longest\ngap (s)")),
                 Column(in_unit(gettext("Roll"), deg)),
                 Column(in_unit(gettext("Pitch"), deg)),

@@ -33,9 +33,9 @@ LOSSES: Mapping[str, str] = {
     "tukey": N_("Loss function: Tukey."),
 }
 OFFSETS: Mapping[str, str] = {
-    "range_offset": N_("Range offset, as given"),
-    "scan_angle_offset": N_("Scan-angle offset, as given"),
-    "latency": N_("Latency, as given"),
+    "range_offset": N_("Given range offset"),
+    "scan_angle_offset": N_("Given scan-angle offset"),
+    "latency": N_("Given latency"),
 }
 """Titles of the offsets, by the name of the value."""
 COMPONENTS: Mapping[str, str] = {
@@ -46,18 +46,19 @@ COMPONENTS: Mapping[str, str] = {
 """Groups of errors, by the name of the variance component."""
 
 CORRELATION_TIMES = N_(
-    "{position} s, {attitude} s: duration of a POS error. Use the times of the processing report "
-    "where it gives them. Too short a time is safer than too long a one."
+    "{position} s and {attitude} s: time over which a POS error persists. Use the values of the "
+    "processing report if it gives them. Too short a time is safer than too long a time."
 )
 SURFACE_SIGMA = N_(
-    "Surface sigma: how far a whole sighting may be off the surface that all lines have in common."
+    "Surface sigma: standard deviation of the offset of a whole sighting from the common surface "
+    "of all lines."
 )
 VARIANCE_COMPONENTS = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "
-    "restricted maximum likelihood. A sigma is raised where the data show a larger one, and "
-    "lowered only where the whole interval is below the given value; otherwise it is used as "
-    "given. Few sightings say little about the POS: if the interval is wide, the given sigma may "
-    "be as good as the estimated one."
+    "restricted maximum likelihood. A sigma is increased if the data show a larger one, and "
+    "decreased only if the whole interval is below the given value; otherwise the given value is "
+    "used. Few sightings give little information on the POS: if the interval is wide, the given "
+    "sigma may be as reliable as the estimated one."
 )
 
 
@@ -85,9 +86,9 @@ def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str
     names = [p.name for p in adjustment.parameters] if adjustment else []
     lever_arm = gettext("{values} m", values=triple(used.lever_arm_m, 4))
     if any(name.startswith("lever") for name in names):
-        values = [(gettext("Prior lever arm, forward, left, up"), lever_arm)]
+        values = [(gettext("Prior lever arm (forward, left, up)"), lever_arm)]
     else:
-        values = [(gettext("Lever arm, forward, left, up"), lever_arm)]
+        values = [(gettext("Lever arm (forward, left, up)"), lever_arm)]
     values.append((gettext("Origin of the local frame"), origin(used.origin_deg_m)))
     for name, value in (
         ("range_offset", used.range_offset_m),
@@ -99,10 +100,13 @@ def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str
     if names:
         estimated = [gettext("boresight"), *map(parameter, names)]
         values.append(
-            (gettext("Selected for estimation"), gettext("{names:names}", names=estimated))
+            (
+                gettext("Parameters selected for estimation"),
+                gettext("{names:names}", names=estimated),
+            )
         )
     if used.accept_one_facing:
-        values.append((gettext("Targets that all face one way"), gettext("accepted")))
+        values.append((gettext("Targets that all face the same way"), gettext("accepted")))
     return [*values, (gettext("Point spacing"), _subsampling(used))]
 
 
@@ -113,11 +117,12 @@ def _subsampling(used: SettingsUsed) -> str:
     if used.averaged:
         return gettext(
             "averaged: the points of a plane within a square of {spacing} m are replaced by their "
-            "mean; points of spheres stay as they are",
+            "mean; points of spheres are not averaged",
             spacing=spacing,
         )
     return gettext(
-        "selected: one of the points within {spacing} m of each other is kept", spacing=spacing
+        "thinned: where points are closer than {spacing} m to each other, one is kept",
+        spacing=spacing,
     )
 
 
@@ -129,13 +134,13 @@ def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str,
             f"{gettext(POS_ERRORS[used.pos_errors])} {gettext(used.pos_errors_in_words)}",
         ),
         (
-            gettext("Position sigma, north, east, down"),
+            gettext("Position sigma (north, east, down)"),
             gettext("{values} m", values=triple(used.position_sigma_m, 3))
             if used.position_sigma_m
             else from_file,
         ),
         (
-            gettext("Attitude sigma, roll, pitch, heading"),
+            gettext("Attitude sigma (roll, pitch, heading)"),
             gettext("{values} deg", values=triple(used.attitude_sigma_deg, 4))
             if used.attitude_sigma_deg
             else from_file,
@@ -147,10 +152,10 @@ def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str,
             position=shortest(used.position_correlation_time_s),
             attitude=shortest(used.attitude_correlation_time_s),
         )
-        values.append((gettext("Correlation times, position, attitude"), times))
+        values.append((gettext("Correlation times (position, attitude)"), times))
     values.append((gettext("LiDAR noise, 1 sigma"), _lidar(used)))
     if adjustment is not None and used.pos_errors == "correlated":
-        values.append((gettext("LiDAR noise found"), _noise(adjustment)))
+        values.append((gettext("Estimated LiDAR noise"), _noise(adjustment)))
     if used.surface_from_data is not None:
         values.append((gettext("Surface sigma"), _surface(used)))
     loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_in_words)}"
@@ -160,7 +165,7 @@ def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str,
 def _lidar(used: SettingsUsed) -> str:
     if used.lidar_range_sigma_m is not None and used.lidar_angle_sigma_deg is not None:
         return gettext(
-            "range {range:mm.1} mm, direction of the beam {angle} deg",
+            "range {range:mm.1} mm, beam direction {angle} deg",
             range=used.lidar_range_sigma_m, angle=fixed(used.lidar_angle_sigma_deg, 4),
         )  # fmt: skip
     if used.lidar_sigma_xyz_m is not None:
@@ -174,21 +179,20 @@ def _noise(adjustment: Adjustment) -> str:
     applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
     if not larger:
         if applied:
-            return gettext("not above the sigma of the variance components on any target")
-        return gettext("not above the given noise on any target")
+            return gettext("not larger than the sigma from the variance components on any target")
+        return gettext("not larger than the given noise on any target")
     found = [
         gettext("{factor}\u00a0times ({target})", factor=fixed(t.noise_factor, 1), target=t.target)
         for t in larger
     ]
     if applied:
         return gettext(
-            "{factors:names} the sigma of the variance components, in the residuals; the sigmas of "
-            "the angles are computed with it",
+            "{factors:names} the sigma from the variance components; the sigmas of the angles are "
+            "computed with this noise",
             factors=found,
         )
     return gettext(
-        "{factors:names} the given noise, in the residuals; the sigmas of the angles are computed "
-        "with it",
+        "{factors:names} the given noise; the sigmas of the angles are computed with this noise",
         factors=found,
     )
 
@@ -197,7 +201,7 @@ def _surface(used: SettingsUsed) -> str:
     if used.surface_sigma_m is None:
         return gettext("to be estimated from the data")
     if used.surface_sigma_m == 0:
-        return gettext("none: each sighting follows the surface that all lines have in common")
+        return gettext("zero: all sightings of a target lie on the same surface")
     if used.offset_sigma_m is None:
         sigmas = gettext("{surface}\u00a0mm", surface=_tenths(used.surface_sigma_m))
     else:
@@ -219,9 +223,9 @@ def _tenths(metres: float) -> str:
 def _components(adjustment: Adjustment) -> list[Block]:
     return [
         Table(
-            gettext("Variance components: estimated over given sigmas"),
+            gettext("Variance components: ratio of estimated to given sigmas"),
             (
-                Column(gettext("Errors of"), "left"),
+                Column(gettext("Source"), "left"),
                 Column(gettext("Factor")),
                 Column(gettext("95 % interval")),
                 Column(gettext("Finding"), "left"),
@@ -247,9 +251,9 @@ def _files(content: ReportContent) -> Table:
     return Table(
         gettext("Input files"),
         (
-            Column(gettext("Use"), "left"),
+            Column(gettext("Role"), "left"),
             Column(gettext("File"), "left"),
-            Column(gettext("Bytes")),
+            Column(gettext("Size\n(bytes)")),
             Column("SHA-256", "left", code=True),
         ),
         rows(

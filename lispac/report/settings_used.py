@@ -23,8 +23,11 @@ POS_ERROR_WORDS = {
 }
 
 LOSS_WORDS = {
-    "none": N_("All points have the same weight, outliers too."),
-    "huber": N_("Points beyond 1.3 standard deviations have less weight, outliers little."),
+    "none": N_("All points have the same weight, including outliers."),
+    "huber": N_(
+        "Points farther than 1.3 standard deviations from the surface have a smaller "
+        "weight; outliers have little effect."
+    ),
     "tukey": N_(
         "The weight of a point decreases with its distance from the surface; beyond 4.7 standard "
         "deviations it is zero."

@@ -9,20 +9,20 @@ from lispac.report.wording import cm, fixed, grouped, in_unit, mm
 S44 = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
     "at 95 % confidence: 2.45 standard deviations along the longest axis of the horizontal error "
-    "ellipse, 1.96 standard deviations of the height. The table gives what the uncertainty of the "
-    "boresight adds to a point at that distance from the scanner, for the beam where it is largest "
-    "and a level vessel. It is not the total of a survey, which also includes position, attitude, "
-    "range, lever arm and the reduction of heights. The orders of the standard limit the total and "
-    "are not compared."
+    "ellipse, 1.96 standard deviations of the height. The table gives the contribution of the "
+    "boresight to the uncertainty of a point at that distance from the scanner, for the most "
+    "unfavourable beam and a level vessel. It is not the total uncertainty of a survey, which "
+    "also includes position, attitude, range, lever arm and the reduction of heights. The orders "
+    "of the standard limit the total uncertainty; the table is not compared with them."
 )
 OVERLAP = N_(
     "The swath overlap difference of the USGS Lidar Base Specification (2024 rev. A) is the root "
     "mean square of the height differences of overlapping swaths (RMSDz) on open ground. The "
-    "validation planes are upright or inclined, so the differences are taken along their normal: "
-    "between the means of both lines within cylinders, at places of either, for every pair of "
-    "lines that overlaps. The noise of single points averages out; what remains after the "
-    "calibration is the POS error of each line. The quality levels of the specification apply to "
-    "heights on the ground and are not compared."
+    "validation planes are vertical or inclined, so the differences are computed along their "
+    "normal, between the means of both lines within cylinders, for every pair of overlapping "
+    "lines. Averaging reduces the noise of single points; after the calibration, the POS error of "
+    "each line remains. The quality levels of the specification apply to heights on the ground; "
+    "the differences are not compared with them."
 )
 ALL_PLANES = Plural("All ({count:n} plane)", "All ({count:n} planes)")
 

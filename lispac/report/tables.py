@@ -63,8 +63,8 @@ def histogram_tables(content: ReportContent) -> list[Table]:
             )
         )  # fmt: skip
         for template, profile in (
-            (N_("{plane} by height"), plane.by_height),
-            (N_("{plane} by range"), plane.by_range),
+            (N_("Distances on {plane} by height"), plane.by_height),
+            (N_("Distances on {plane} by range"), plane.by_range),
         ):
             if profile is not None:
                 made.append(_profile_table(gettext(template, plane=plane.name), profile))
@@ -97,12 +97,12 @@ def _profile_table(title: str, profile: DistancesBySteps) -> Table:
 
 def map_tables(content: ReportContent) -> list[Table]:
     """The cells of every map of distances, which the report shows as pictures only."""
-    heads = (N_("Across (m)"), N_("Up (m)"), N_("Before (mm)"), N_("After (mm)"))
+    heads = (N_("Horizontal (m)"), N_("Up (m)"), N_("Before (mm)"), N_("After (mm)"))
     columns = tuple(Column(gettext(each)) for each in heads)
     return [
         Table(
             gettext(
-                "Map of {plane}, {line} from {other}",
+                "Map of {plane}: {line} relative to {other}",
                 plane=plane.name, line=each.line_a, other=each.line_b,
             ),
             columns,

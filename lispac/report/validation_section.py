@@ -21,57 +21,55 @@ from lispac.report.wording import (
 )
 
 PLACES = N_("Signed distances along the normal, reciprocal pairs (mm)")
-PLANES = N_("Planes of the two lines compared, reciprocal pairs")
+PLANES = N_("Comparison of the planes fitted to two lines, reciprocal pairs")
 
 POOLED: Mapping[str, str] = {
-    "reciprocal pairs": N_("Histograms and totals: reciprocal pairs."),
-    "all pairs": N_("Histograms and totals: all pairs."),
+    "reciprocal pairs": N_("Histograms and totals use the reciprocal pairs of lines only."),
+    "all pairs": N_("Histograms and totals use all pairs of lines."),
 }
 """Which pairs of lines the statistics of a plane are from, by what the content calls them."""
 
 DISTANCES = N_(
     "Distances from each point of one line to the surface of the other, in both directions, only "
-    "where both lines saw the plane. The points are the same before and after the calibration. "
-    "What remains after the calibration is the POS error of each line, which no boresight removes."
+    "where both lines cover the plane. The points are the same before and after the calibration. "
+    "The distances that remain after the calibration are caused by the POS error of each line, "
+    "which the boresight cannot correct."
 )
 ROBUST = N_(
     "Robust sigma: 1.4826 times the median absolute deviation from the median. Outliers: distances "
     "more than three robust sigmas above the median; all other statistics include them."
 )
 SIGNED = N_(
-    "Distance of the first line from the second, positive towards the vessel: means within "
-    "cylinders along the local normal (M3C2), so that the noise of single points averages out. The "
-    "interval is that of one place, from the scatter of its points. The last columns are the share "
-    "of the places where the lines differ by more than it."
+    "Distance of the first line from the second, positive towards the vessel, between means "
+    "within cylinders along the local normal (M3C2); averaging reduces the noise of single "
+    "points. The 95 % interval is that of one place, from the scatter of its points. The last "
+    "column of each state gives the percentage of places whose distance exceeds this interval."
 )
 PLANE_OFFSETS = N_(
-    "The plane through the points of the first line compared with that of the second, with 95 % "
-    "intervals from the scatter of the points. Offsets are positive where the first line is nearer "
-    "to the vessel. Rotations are positive where its upper edge (level axis), or its right edge as "
-    "seen from the vessel (upright axis), comes nearer."
+    "The plane fitted to the points of the first line is compared with that of the second, with "
+    "95 % intervals from the scatter of the points. An offset is positive if the first plane is "
+    "nearer to the vessel. A rotation is positive if the upper edge of the first plane (level "
+    "axis), or its right edge as seen from the vessel (upright axis), is turned towards the "
+    "vessel."
 )
 MAP = N_(
-    "{plane}: distance of the first line from the second along the normal, over the plane as seen "
-    "from the vessel; red where the first is nearer, blue where it is farther, grey where one of "
-    "them has too few points."
+    "{plane}: distance of the first line from the second along the normal; the plane is shown as "
+    "seen from the vessel. Red: the first line is nearer to the vessel; blue: it is farther away; "
+    "grey: one of the lines has too few points."
 )
 
 
 def validation(content: ReportContent) -> list[Block]:
     """Distances between the lines before and after the calibration."""
     if not content.validation:
-        return [
-            Paragraph(
-                gettext("No plane outside the adjustment has been compared between the lines.")
-            )
-        ]
+        return [Paragraph(gettext("The lines have not been compared on any validation plane."))]
     models = sorted({message_text(plane.measured_to) for plane in content.validation})
     pooled = sorted({plane.pooled_from for plane in content.validation})
     blocks: list[Block] = [
         Paragraph(gettext(DISTANCES)),
         Bullets(
             (
-                gettext("Surface of a line: {models:names}.", models=models),
+                gettext("Surface model of a line: {models:names}.", models=models),
                 *(gettext(POOLED[each]) for each in pooled),
             )
         ),
@@ -82,7 +80,7 @@ def validation(content: ReportContent) -> list[Block]:
         blocks += _figures(plane)
     blocks.append(
         distance_table(
-            gettext("Every pair of lines (mm)"),
+            gettext("Distances for every pair of lines (mm)"),
             [
                 Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
                 Column(gettext("Reciprocal"), "left"),
@@ -105,7 +103,9 @@ def validation(content: ReportContent) -> list[Block]:
     apart = tuple(_not_compared(plane) for plane in content.validation if plane.not_compared)
     if apart:
         blocks += [
-            Paragraph(gettext("Not compared, because no part was seen by both lines:")),
+            Paragraph(
+                gettext("Not compared, because the two lines cover no common part of the plane:")
+            ),
             Bullets(apart),
         ]
     return blocks
@@ -174,7 +174,8 @@ def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
                     Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
                     Column(gettext("Places")),
                     *_before_and_after(
-                        gettext("Median"), gettext("95 % of\na place"), gettext("Differ\nfrom 0")
+                        gettext("Median"), gettext("95 % interval\nof a place"), gettext(
+                            "Significant\nplaces")
                     ),
                 ),
                 rows([*_named(plane, pair), *_place_cells(pair)] for plane, pair in listed),
@@ -188,8 +189,9 @@ def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
                 (
                     Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
                     *_before_and_after(
-                        in_unit(gettext("Offset"), "mm"), gettext("Rotation, level\naxis (deg)"),
-                        gettext("Upright\naxis (deg)"),
+                        in_unit(gettext("Offset"), "mm"), gettext(
+                            "Rotation about\nlevel axis (deg)"),
+                        gettext("Rotation about\nupright axis (deg)"),
                     ),
                 ),
                 rows([*_named(plane, pair), *_plane_cells(pair)] for plane, pair in listed),

@@ -44,15 +44,15 @@ class Criterion:
 
 CRITERIA: Mapping[str, Criterion] = {
     "type-one": Criterion(
-        N_("Type I: is it still a board, near where it stands?"), N_("Type I"), 3, 1.0,
+        N_("Type I: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
         lambda v: v.type_one,
     ),
     "orthogonal-distance": Criterion(
-        N_("Type II: how far the board is shifted"),
+        N_("Type II: shift of the board"),
         N_("Signed orthogonal distance (m)"), 4, 0.02, lambda v: v.orthogonal_distance,
     ),
     "angular-deviation": Criterion(
-        N_("Type II: how far the board is turned"),
+        N_("Type II: rotation of the board"),
         N_("Angular deviation (deg)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
     ),
 }  # fmt: skip
@@ -114,7 +114,7 @@ def visibility_figure(
         )  # fmt: skip
     dress(
         axes,
-        gettext("Inclination of the board (deg; positive leans to the vessel)"),
+        gettext("Inclination of the board (deg; positive: tilted towards the vessel)"),
         gettext(shown.label),
     )
     if criterion == "type-one":
@@ -125,7 +125,7 @@ def visibility_figure(
     axes.set_xticks(inclinations[:: 3 if len(inclinations) > 20 else 1])
     axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
     head = gettext(
-        "{error}, {site}. {criterion}",
+        "{error}, {site} site. {criterion}",
         error=error_in_words(error), site=gettext(SITE_NAMES[found.site.name]),
         criterion=gettext(shown.title),
     )  # fmt: skip

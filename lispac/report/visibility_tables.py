@@ -33,8 +33,9 @@ VALUES = (
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (
-    N_("Error"), N_("Accepted (deg)"), N_("Accepted, thesis"), N_("Best (deg)"), N_("Best, thesis"),
-    N_("Lines that differ"), N_("Lines, thesis"), N_("Inclination"), N_("Lines"), N_("Reason"),
+    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., thesis"), N_("Best incl. (deg)"),
+    N_("Best incl., thesis"), N_("Required lines"), N_("Required lines, thesis"),
+    N_("Incl. vs. thesis"), N_("Lines vs. thesis"), N_("Reason"),
 )  # fmt: skip
 """Titles of the columns; the thesis's inclinations are in degrees."""
 
@@ -71,7 +72,7 @@ def reading(found: Visibility, error: str, criterion: str, inclination_deg: floa
         for heading, value in zip(HEADINGS_DEG, values, strict=True)
     ]
     return gettext(
-        "{quantity} at {inclination:deg.0} deg, by line: {values}",
+        "{quantity} at an inclination of {inclination:deg.0} deg, by heading of the line: {values}",
         quantity=gettext(shown.label), inclination=found.site.inclinations[j],
         values="; ".join(lines),
     )  # fmt: skip
@@ -112,16 +113,16 @@ def all_errors_in_words(found: Visibility) -> str:
     """Which lines show every error, on the terrestrial site beside table 3.3 of the thesis."""
     sets = fewest_lines([found.best(error) for error in found.site.errors])
     if found.site.name != "terrestrial":
-        template = N_("Fewest lines that show every error: {lines}.")
+        template = N_("Smallest sets of lines that reveal all errors: {lines}.")
     elif lines_for_all_agree(found):
         template = N_(
-            "Fewest lines that show every error: {lines} (the same as the {count:n} of table 3.3 "
-            "of the thesis)."
+            "Smallest sets of lines that reveal all errors: {lines} (the same as the {count:n} "
+            "sets in table 3.3 of the thesis)."
         )
     else:
         template = N_(
-            "Fewest lines that show every error: {lines} (others than the {count:n} of table 3.3 "
-            "of the thesis)."
+            "Smallest sets of lines that reveal all errors: {lines} (different from the {count:n} "
+            "sets in table 3.3 of the thesis)."
         )
     return gettext(template, lines="; ".join(map(_headings, sets)), count=len(ALL_ERRORS))
 
@@ -131,7 +132,7 @@ def _compared(each: Compared) -> tuple[str, ...]:
     accepted = gettext("none")
     if best.kept:
         accepted = _range(*(round(float(np.degrees(end))) for end in (best.kept[0], best.kept[-1])))
-    not_seen, thesis = gettext("not seen"), stated.inclination_deg
+    not_seen, thesis = gettext("not visible"), stated.inclination_deg
     return (
         error_in_words(best.error),
         accepted,

@@ -150,7 +150,7 @@ def parameter(name: str) -> str:
 def origin(origin: Sequence[float] | None) -> str:
     """Latitude and longitude in degrees, and height in metres."""
     if origin is None:
-        return gettext("mean of the trajectory")
+        return gettext("mean position of the trajectory")
     latitude, longitude, height = origin
     return gettext(
         "latitude {latitude} deg, longitude {longitude} deg, height {height} m",
@@ -163,8 +163,11 @@ def named_parts(checks: CrossChecked) -> list[tuple[str, CheckedPart]]:
     named = [(_without(part), part) for part in checks.parts if part.kind != "half"]
     halves = [part for part in checks.parts if part.kind == "half"]
     if halves and all(half.boresight_deg is not None for half in halves):
-        return [*named, (gettext("First minus second half"), halves[0])]
-    names = {"first": gettext("First half alone"), "second": gettext("Second half alone")}
+        return [*named, (gettext("First half minus second half"), halves[0])]
+    names = {
+        "first": gettext("First half of the lines only"),
+        "second": gettext("Second half of the lines only"),
+    }
     return [*named, *((names[half.part], half) for half in halves)]
 
 

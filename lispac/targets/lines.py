@@ -320,7 +320,8 @@ def _from_reference(
         clouds,
         lambda name: first if name == first_line else again(name),
         lambda count, name: progress(
-            count / len(clouds), gettext_lazy("Searched for the target in {line}", line=name)
+            count / len(clouds),
+            gettext_lazy("Search for the target in {line} finished", line=name),
         ),
     )
     return found, {name: as_message(reason.reason) for name, reason in missing.items()}

@@ -79,7 +79,7 @@ def cloud_to_cloud(
         raise InputError(error("validation.empty_reference"))
 
     limit = np.inf if max_distance is None else max_distance
-    progress(0.0, gettext_lazy("Indexing the clouds"))
+    progress(0.0, gettext_lazy("Indexing the point clouds"))
     starts = range(0, len(compared), _CHUNK)
     pool = ThreadPoolExecutor(max(2, min(os.cpu_count() or 1, len(starts))))
     try:

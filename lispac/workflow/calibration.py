@@ -268,7 +268,7 @@ def select(
         step(
             0.0,
             gettext_lazy(
-                "Selecting the points again, round {number:n} of {count:n}",
+                "Reselecting the points: iteration {number:n} of {count:n}",
                 number=k + 1,
                 count=rounds,
             ),

@@ -75,7 +75,7 @@ def headline(title: str, found: Scatter, count: int) -> LazyText:
     done = len(found.errors) + found.failed
     if done < count:
         return gettext_lazy(
-            "{title}: cancelled after {done:n} of {count:n} surveys",
+            "{title}: cancelled after {done:n} of {count:n} simulated surveys",
             title=title, done=done, count=count,
         )  # fmt: skip
     return gettext_lazy("{title}: {done:n} surveys simulated and adjusted", title=title, done=done)

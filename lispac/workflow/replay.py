@@ -67,11 +67,11 @@ class Replay:
         """Rows of a table: a title, and values of roll, pitch and yaw; degrees, or a ratio."""
         ratio = self.obtained / self.as_flat
         return (
-            (gettext("predicted for the plan"), *_cells(np.degrees(self.planned), 4)),
-            (gettext("predicted, as surveyed"), *_cells(np.degrees(self.sailed), 4)),
-            (gettext("with estimated form error"), *_cells(np.degrees(self.as_flat), 4)),
-            (gettext("stated by the adjustment"), *_cells(np.degrees(self.obtained), 4)),
-            (gettext("stated / predicted"), *_cells(np.where(ratio > 0, ratio, np.inf), 2)),
+            (gettext("predicted for the survey plan"), *_cells(np.degrees(self.planned), 4)),
+            (gettext("predicted for the actual survey"), *_cells(np.degrees(self.sailed), 4)),
+            (gettext("predicted with estimated form error"), *_cells(np.degrees(self.as_flat), 4)),
+            (gettext("from the adjustment"), *_cells(np.degrees(self.obtained), 4)),
+            (gettext("adjustment / predicted"), *_cells(np.where(ratio > 0, ratio, np.inf), 2)),
         )
 
     @property
@@ -80,7 +80,7 @@ class Replay:
         planned, estimated = self.flatness
         found = []
         if not np.isfinite(self.sailed).all():
-            found.append(gettext("The part of the plan that was surveyed does not determine the "
+            found.append(gettext("The surveyed part of the survey plan does not determine the "
                                  "boresight angles."))  # fmt: skip
         found.append(
             gettext(

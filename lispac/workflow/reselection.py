@@ -39,7 +39,7 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
     for k, target in enumerate(used):
         progress(
             k / len(used),
-            gettext_lazy("Selecting the points of {target} again", target=target.name),
+            gettext_lazy("Reselecting the points of {target}", target=target.name),
         )
         again = selected_again(target, survey.clouds, clouds)
         project = replace(

@@ -111,8 +111,8 @@ def _head(project: Project, files: Files, remarks: list[Message]) -> str:
     name = "".join(letter if letter.isprintable() else "?" for letter in project.name)
     said = [
         f"Steps of the project {name}, as LISPAC {lispac.__version__} wrote them.",
-        "Run it with the Python that LISPAC is installed in: python SCRIPT FOLDER makes the "
-        "project in that folder, python SCRIPT in the one named below.",
+        "Run it with the Python in which LISPAC is installed: python SCRIPT FOLDER creates "
+        "the project in FOLDER, python SCRIPT in the folder named below.",
         *map(english_text, remarks),
     ]
     comments = [

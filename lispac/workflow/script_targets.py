@@ -16,10 +16,10 @@ from lispac.workflow.script_text import Code, call, in_pieces, rows
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_search import TargetSearch
 
-BY_HAND = "points of it were added or taken away by hand"
+BY_HAND = "its points were edited manually"
 OTHERWISE = (
-    "its seed leads to other points now: it was found with other lines, another prior boresight, "
-    "or proposed"
+    "the search from its seed now gives other points, because it was found with other lines or "
+    "another prior boresight, or proposed automatically"
 )
 
 

@@ -26,29 +26,39 @@ from lispac.messages import Message, as_message, error
 FROM_MEMORY = N_("{source} (not verified: check the data sheet)")
 SOURCES = (
     N_("Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, 60 s without GNSS, RTK before)"),
-    N_("Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, no outage); the base 10 km away"),
     N_(
-        "HDL-32E user's manual 63-9113: range, accuracy taken for noise; direction and beam assumed"
+        "Apogee Series Hardware Manual APOGEEHM.1.5, 2.3.3 (land, no outage); base station at 10 km"
     ),
     N_(
-        "Heading: POS MV V4 User Guide (2009), page 1-8, antennas 2 m apart; the rest "
-        "without a data sheet, the base 10 km away"
+        "HDL-32E user's manual 63-9113: range accuracy used as noise; beam direction and "
+        "divergence assumed"
     ),
-    N_("No data sheet at hand; DGNSS without fixed ambiguities"),
-    N_("No data sheet at hand; POSPac, antennas 2 m apart, the base 10 km away"),
-    N_("No data sheet at hand; precision, and the resolution of the angle, taken for its sigma"),
-    N_("No data sheet at hand; rounded up"),
-    N_("No data sheet at hand; some 60 s without GNSS, rounded up"),
+    N_(
+        "Heading: POS MV V4 User Guide (2009), page 1-8, antennas 2 m apart; other values not "
+        "from a data sheet, base station at 10 km"
+    ),
+    N_("No data sheet available; DGNSS without fixed ambiguities"),
+    N_("No data sheet available; POSPac, antennas 2 m apart, base station at 10 km"),
+    N_(
+        "No data sheet available; range precision; angular resolution used as the sigma of the "
+        "angle"
+    ),
+    N_("No data sheet available; values rounded up"),
+    N_("No data sheet available; about 60 s without GNSS, values rounded up"),
     N_(
         "Ouster OS1 data sheet (128 channels up to +22.5 deg; no date): repeatability "
         "with a strong signal"
     ),
-    N_("PandarXT user manual: range, precision; direction and beam assumed"),
-    N_("RIEGL VUX-1UAV data sheet: precision; the resolution of the angle, taken for its sigma"),
+    N_("PandarXT user manual: range precision; beam direction and divergence assumed"),
     N_(
-        "Thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the beam spreads by less"
+        "RIEGL VUX-1UAV data sheet: range precision; angular resolution used as the sigma of the "
+        "angle"
     ),
-    N_("Thesis, section 1.2.2, table 1.2, after iXblue (2019); the base 10 km away"),
+    N_(
+        "Thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the actual beam "
+        "divergence is smaller"
+    ),
+    N_("Thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
 )
 """Sources of the sensors that come with the program, for their translation."""
 LONGEST = 200

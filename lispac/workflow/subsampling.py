@@ -77,7 +77,9 @@ def subsampling_study(
     found = []
     for k, distance in enumerate(chosen):
         step = part(progress, 0.4 + 0.6 * k / len(chosen), 0.4 + 0.6 * (k + 1) / len(chosen))
-        step(0.0, gettext_lazy("Adjusting with {distance:m} m between points", distance=distance))
+        step(
+            0.0, gettext_lazy("Adjusting with a point spacing of {distance:m} m", distance=distance)
+        )
         settings = replace(project.settings, subsample=distance)
         started = perf_counter()
         solved = solve(

@@ -99,7 +99,9 @@ class Survey:
         """As `placed`, with what stands for them in a picture at hand."""
         clouds = self.placed(project, which)
         for k, (name, cloud) in enumerate(clouds.items()):
-            progress(k / len(clouds), gettext_lazy("Placing {line}", line=name))
+            progress(
+                k / len(clouds), gettext_lazy("Computing the point positions of {line}", line=name)
+            )
             assert len(cloud.sample)
         return clouds
 

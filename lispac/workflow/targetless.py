@@ -131,7 +131,7 @@ def targetless(
     picked, found, rounds, settled, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
         step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
-        step(0.0, gettext_lazy("Matching the lines, round {number:n}", number=rounds))
+        step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=rounds))
         clouds = placed_with(survey.clouds, mounting)
         patches = patches_of(
             clouds, settings.lidar_sigma, max(threshold, settings.threshold),

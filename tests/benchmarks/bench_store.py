@@ -110,7 +110,7 @@ def report(folder: str) -> None:
 
     start = now()
     stored = import_line(project, project.lines[0], trajectory, progress=progress).stored
-    end, ordering = now(), stages["Ordering"]
+    end, ordering = now(), stages["Sorting"]
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     laspy_took, laspy_cpu = laspy_alone(path)
     took, cpu = end[0] - start[0], end[1] - start[1]

@@ -19,7 +19,7 @@ from tests.gui.test_gui_warnings import listed
 
 def said_by_the_scene(project, _survey, *, progress) -> Opinion:
     """Nearly what the targets say; how it is found is tested elsewhere and takes a while."""
-    progress(0.5, "Matching the lines, round 1")
+    progress(0.5, "Matching the lines: iteration 1")
     result = project.result
     turned = result.boresight + np.radians([0.5, 0.0, 0.0])
     lines = tuple(line.name for line in project.lines)

@@ -184,12 +184,12 @@ def test_the_error_budget(adjusted: Driver) -> None:
         rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
         before, after = (
             float(dialog.table.item(rows[name], 9).text())
-            for name in ("Boresight before", "Boresight after")
+            for name in ("Boresight before calibration", "Boresight after calibration")
         )
         assert before > 10 * after > 0
-        level = dialog.table.item(rows["GNSS position"], 3).text()
+        level = dialog.table.item(rows["POS position"], 3).text()
         dialog.beam.setCurrentIndex(1)
-        assert dialog.table.item(rows["GNSS position"], 3).text() != level
+        assert dialog.table.item(rows["POS position"], 3).text() != level
         assert dialog.table.item(rows["Lever arm"], 1).text() == "–"
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
@@ -208,7 +208,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
             dialog.table.item(row, 0).text(): dialog.table.item(row, 3).text() for row in range(8)
         }
         assert best["Pitch 2 deg"] == "0"
-        assert best["Lever arm Z 10 cm"] == "not seen"
+        assert best["Lever arm Z 10 cm"] == "not visible"
         dialog.table.selectRow(0)
         assert dialog.error.currentText() == "Roll 2 deg"
         assert "Appendix C.2.1" in dialog.said.text()

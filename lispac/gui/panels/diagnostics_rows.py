@@ -317,8 +317,8 @@ def spread_words(checks: CrossChecks) -> str:
         )
         + "</tr>"
         + row(gettext("Formal σ"), checks.sigma)
-        + row(_two_lines(gettext("Spread, one line left out")), checks.spread_lines)
-        + row(_two_lines(gettext("Spread, one target left out")), checks.spread_targets)
+        + row(_two_lines(gettext("Spread, one line omitted")), checks.spread_lines)
+        + row(_two_lines(gettext("Spread, one target omitted")), checks.spread_targets)
         + "</table>"
     )
 

@@ -119,7 +119,9 @@ class Setup:
         """What is assumed about the system, to be shown with every number."""
         found = [gettext_lazy(self.convention.assumption)] if self.convention.assumption else []
         if not self.as_documented:
-            found.append(gettext_lazy("The given axes are not those of its documentation."))
+            found.append(
+                gettext_lazy("The given axes differ from the documentation of the program.")
+            )
         if self.convention.open_axes and self.body_axes is None:
             axes = axes_text(self.axes)
             found.append(gettext_lazy("No axes were given: {axes} is assumed.", axes=axes))
@@ -135,7 +137,7 @@ class Setup:
         found = [gettext_lazy(SCANNER_WORDS[self.scanner_frame])]
         if self.scanner_frame == "mounted":
             axes = axes_text(self.nominal_axes(rotation_body_lidar))
-            found.append(gettext_lazy("Mounting here: scanner {axes}.", axes=axes))
+            found.append(gettext_lazy("Mounting used: scanner axes {axes}.", axes=axes))
         return sentences(found)
 
 

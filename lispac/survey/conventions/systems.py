@@ -23,11 +23,14 @@ STATUS_WORDS: dict[Status, str] = {
     "unverified": N_("NOT VERIFIED"),
 }
 SCANNER_WORDS: dict[Scanner, str] = {
-    "turned": N_("The scanner's axes are named as the body's: angles of zero mean parallel."),
-    "kept": N_("The scanner's axes stay those of the raw points."),
+    "turned": N_(
+        "The scanner axes have the same names as the body axes: angles of zero mean that "
+        "they are parallel."
+    ),
+    "kept": N_("The scanner axes are those of the raw points."),
     "mounted": N_(
-        "An axis permutation (mounting) first turns the raw scanner axes to those of the body; the "
-        "angles contain the rest."
+        "An axis permutation (mounting) first maps the raw scanner axes to the body axes; the "
+        "angles are the remaining rotation."
     ),
 }
 DIRECTION_WORDS: dict[Direction, str] = {  # what the matrix does to coordinates
@@ -190,7 +193,7 @@ LISPAC = Convention(
     ),
     order=HEADING_PITCH_ROLL,
     status="verified",
-    source=N_("proved on real vessel data"),
+    source=N_("verified with real vessel data"),
 )
 
 SYSTEMS: tuple[Convention, ...] = (
@@ -213,8 +216,8 @@ SYSTEMS: tuple[Convention, ...] = (
         status="partly",
         source=N_("Qinsy manual, sign conventions"),
         assumption=N_(
-            "The signs are those of the manual; the order of the rotations was not found "
-            "and is taken as heading, pitch, roll, and offsets as X starboard, Y forward, Z up."
+            "The signs are from the manual. The order of the rotations is not documented: "
+            "heading, pitch, roll is assumed, and X starboard, Y forward, Z up for the offsets."
         ),
     ),
     Convention(
@@ -248,9 +251,10 @@ SYSTEMS: tuple[Convention, ...] = (
         status="partly",
         source=N_("NovAtel application notes on rotations (intrinsic Z, X, Y; right-handed)"),
         assumption=N_(
-            "Axes, order and signs are those of the application note, which states them "
-            "for the turn from vehicle to IMU; the scanner is taken in the place of the IMU. SPAN "
-            "on OEM7 states the vehicle rotation (RBV) the other way, from the IMU to the vehicle."
+            "Axes, order and signs are from the application note, which gives them for the "
+            "rotation from vehicle to IMU; here the scanner replaces the IMU. SPAN on OEM7 "
+            "defines the vehicle rotation (RBV) in the opposite direction, from the IMU to the "
+            "vehicle."
         ),
     ),
     Convention(
@@ -262,8 +266,8 @@ SYSTEMS: tuple[Convention, ...] = (
         status="partly",
         source=N_("StripAdjust documentation (body axes, mounting permutation, degrees)"),
         assumption=N_(
-            "The order is taken as yaw, pitch, roll and the signs as right-handed, "
-            "applied after the mounting; neither was checked."
+            "Assumed and not checked: order yaw, pitch, roll; right-handed signs; rotations "
+            "applied after the mounting."
         ),
         scanner="mounted",
     ),
@@ -286,9 +290,9 @@ SYSTEMS: tuple[Convention, ...] = (
         status="unverified",
         source=N_("StripAlign manual, for the columns of the trajectory only"),
         assumption=N_(
-            "How boresight angles are stated was not found; they are taken as the NED "
-            "attitude of the trajectory: yaw, pitch, roll about Z down, Y starboard, X forward. "
-            "The ENU default is not offered."
+            "The definition of the boresight angles is not documented. They are assumed to follow "
+            "the NED attitude of the trajectory: yaw, pitch, roll about Z down, Y starboard, X "
+            "forward. The ENU default is not available here."
         ),
     ),
     Convention(
@@ -300,9 +304,9 @@ SYSTEMS: tuple[Convention, ...] = (
         status="partly",
         source=N_("TerraScan user guide, scanner systems (lever arm axes)"),
         assumption=N_(
-            "Only the axes of the lever arm are documented; the angles are taken as "
-            "heading, pitch, roll, with roll positive starboard side down, pitch bow up, heading "
-            "clockwise."
+            "Only the axes of the lever arm are documented. The angles are assumed to be heading, "
+            "pitch, roll: roll positive starboard side down, pitch positive bow up, heading "
+            "positive clockwise."
         ),
     ),
     Convention(
@@ -312,10 +316,10 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=_plain_turns(),
         order=(2, 1, 0),
         status="partly",
-        source=N_("Phoenix LiDAR user manual (turns about fixed IMU X, Y, Z in that order)"),
+        source=N_("Phoenix LiDAR user manual (rotations about fixed IMU X, Y, Z in that order)"),
         assumption=N_(
-            "Order and signs are those of the manual, but the axes depend on the IMU: "
-            "state where its X, Y and Z point on the vessel."
+            "Order and signs are from the manual. The axes depend on the IMU: specify the "
+            "directions of its X, Y and Z axes on the vessel."
         ),
         scanner="kept",
         open_axes=True,
@@ -329,8 +333,8 @@ SYSTEMS: tuple[Convention, ...] = (
         status="partly",
         source=N_("Phoenix LiDAR user manual (vehicle frame X right, Y up, Z rear)"),
         assumption=N_(
-            "The axes are those of the manual; the order of the turns is that of "
-            "version 6 and was not found for these versions."
+            "The axes are from the manual. The order of the rotations is not documented for these "
+            "versions; that of version 6 is assumed."
         ),
         scanner="kept",
     ),
@@ -345,11 +349,11 @@ SYSTEMS: tuple[Convention, ...] = (
         ),
         order=HEADING_PITCH_ROLL,
         status="unverified",
-        source=N_("secondary descriptions of the offsets"),
+        source=N_("third-party descriptions of the offsets"),
         assumption=N_(
-            "Roll is taken as positive starboard side down, pitch as positive bow up and "
-            "the order as yaw, pitch, roll; none of it was found. The axes X starboard, Y forward, "
-            "Z down are left-handed."
+            "Assumed, because not documented: roll positive starboard side down, pitch positive "
+            "bow up, order yaw, pitch, roll. The axes X starboard, Y forward, Z down are "
+            "left-handed."
         ),
     ),
     Convention(
@@ -359,11 +363,11 @@ SYSTEMS: tuple[Convention, ...] = (
         turns=(),
         order=(),
         status="unverified",
-        source=N_("nothing public was found"),
+        source=N_("no public documentation was found"),
         assumption=N_(
-            "RiPROCESS is not offered as angles, because neither its axes nor their "
-            "order were found. The matrix is in this program's frames: scanner to body, X forward, "
-            "Y port, Z up."
+            "No angles are given for RiPROCESS, because its axes and the order of its rotations "
+            "are not documented. The matrix is in the frames of this program: scanner to body, X "
+            "forward, Y port, Z up."
         ),
         scanner="kept",
     ),

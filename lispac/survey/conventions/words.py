@@ -47,18 +47,20 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
     leans, looks, turned = amounts((roll, pitch, yaw))
     parts = []
     if looks:
-        template = N_("looks {angle} bow down") if pitch > 0 else N_("looks {angle} bow up")
+        template = (
+            N_("is pitched {angle} bow down") if pitch > 0 else N_("is pitched {angle} bow up")
+        )
         parts.append(gettext_lazy(template, angle=looks))
     if turned:
         template = (
-            N_("is turned {angle} to starboard") if yaw > 0 else N_("is turned {angle} to port")
+            N_("is yawed {angle} to starboard") if yaw > 0 else N_("is yawed {angle} to port")
         )
         parts.append(gettext_lazy(template, angle=turned))
     if leans:
         template = (
-            N_("leans {angle} with its left side up")
+            N_("is rolled {angle} left side up")
             if roll > 0
-            else N_("leans {angle} with its right side up")
+            else N_("is rolled {angle} right side up")
         )
         parts.append(gettext_lazy(template, angle=leans))
     if not parts:
@@ -66,7 +68,7 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
     if len(parts) > 1 and max(abs(roll), abs(pitch), abs(yaw)) > LARGE:
         # The body's axes are carried onto the scanner's by yaw, then pitch, then roll.
         return gettext_lazy(
-            "The scanner {parts:names} (first turned, then pitched, then rolled).", parts=parts
+            "The scanner {parts:names} (order of rotations: yaw, pitch, roll).", parts=parts
         )
     return gettext_lazy("The scanner {parts:names}.", parts=parts)
 
@@ -84,9 +86,9 @@ def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
     off = float(np.arccos(np.clip(cosines.min(), -1.0, 1.0)))
     apart = amounts((off, 0.0, 0.0))[0]
     if not apart:
-        return gettext_lazy("The scanner's axes point: {axes}.", axes=axes_text(axes))
+        return gettext_lazy("Directions of the scanner axes: {axes}.", axes=axes_text(axes))
     return gettext_lazy(
-        "The scanner's axes point: {axes}, off by {angle} at most.",
+        "Directions of the scanner axes: {axes}, with deviations up to {angle}.",
         axes=axes_text(axes), angle=apart,
     )  # fmt: skip
 

@@ -47,7 +47,7 @@ def write_columns(
     with ExitStack() as stack:
         writer = _Writer(stack, folder, attributes, points, spool.next_index != points)
         buckets = stack.enter_context(closing(read_ahead(merged(spool))))
-        pace = Pace(gettext_lazy("Ordering {line}", line=line), points)
+        pace = Pace(gettext_lazy("Sorting the points of {line}", line=line), points)
         for keys, values in buckets:
             progress(done / points, pace.step(done))
             order = sorting(keys)
@@ -58,7 +58,7 @@ def write_columns(
             raise ProjectError(
                 error("store.points_lost", folder=str(folder.parent), read=done, points=points)
             )
-        progress(1.0, gettext_lazy("Ordering {line}: writing to the disk", line=line))
+        progress(1.0, gettext_lazy("Sorting the points of {line}: writing to disk", line=line))
         return writer.finish()
 
 
