@@ -44,7 +44,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "project", nargs="?", type=Path, help="project folder, project.json or project.lispac"
     )
-    parser.add_argument("--demo", action="store_true", help="open the built-in survey")
+    parser.add_argument("--demo", action="store_true", help="open the demo survey")
     parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
     arguments = parser.parse_args(argv)
 

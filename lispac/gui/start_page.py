@@ -24,7 +24,7 @@ from lispac.language import N_, gettext
 
 WAYS = (
     ("tour", "compass-outline", N_("Three-minute tour"),
-     N_("Calibrate the built-in survey step by step")),
+     N_("Calibrate the demo survey step by step")),
     ("new", "folder-plus-outline", N_("New project…"), N_("From a trajectory and lines")),
     ("open", "folder-open-outline", N_("Open project…"), N_("A folder with a project.json file")),
     ("demo", "ferry", N_("Demo survey"), N_("A quay with two boards, surveyed in six lines")),
@@ -60,7 +60,8 @@ class StartPage(QScrollArea):
         outer.addWidget(title)
         outer.addWidget(
             widgets.label(
-                gettext("Drop lines and a trajectory anywhere on this window, or begin here."),
+                gettext("Drop lines and a trajectory anywhere on this window, or choose an "
+                        "action."),
                 "muted", wrap=True,
             )
         )  # fmt: skip

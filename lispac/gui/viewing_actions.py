@@ -24,9 +24,9 @@ STEP_ACTIONS: dict[str, Described] = {
 
 VIEW_ACTIONS: dict[str, Described] = {
     "fit": (N_("&Fit all"), N_("Fit all"), "fit-to-page-outline", "F",
-            N_("Bring everything into view")),
+            N_("Show all points in the view")),
     "fit_selection": (N_("Fit s&election"), "", "target", "Shift+F",
-                      N_("Bring the selected target or sighting into view")),
+                      N_("Zoom the view to the selected target or sighting")),
     "isometric": (N_("&Isometric"), N_("3D"), "cube-outline", "1",
                   N_("Look obliquely from above")),
     "top": (N_("&Top"), N_("Top"), "arrow-down-bold-box-outline", "2",
@@ -40,12 +40,13 @@ VIEW_ACTIONS: dict[str, Described] = {
     "normal": (N_("Along the target's &normal"), "", "", "7",
                N_("Look at the selected target along its normal")),
     "orthographic": (N_("&Orthographic"), "", "", "O",
-                     N_("Draw without perspective: equal lengths look equal at every distance")),
+                     N_("Draw without perspective: equal lengths have equal size at every "
+                        "distance")),
     "larger": (N_("La&rger points"), "", "magnify-plus-outline", "+", N_("Draw larger points")),
     "smaller": (N_("S&maller points"), "", "magnify-minus-outline", "-", N_("Draw smaller points")),
     "colour_next": (N_("&Next colouring"), "", "palette-outline", "C",
-                    N_("Colour the points by line, height, intensity, range, time and residual in "
-                       "turn")),
+                    N_("Switch to the next colouring: line, height, intensity, range, time, "
+                       "residual")),
     "colour_line": (N_("Colour by &line"), "", "", "", N_("Give each line its own colour")),
     "colour_height": (N_("Colour by &height"), "", "", "", N_("Colour the points by height")),
     "colour_intensity": (N_("Colour by &intensity"), "", "", "",
@@ -60,45 +61,47 @@ VIEW_ACTIONS: dict[str, Described] = {
                      N_("Copy the view to the clipboard")),
     "colour_residual": (N_("Colour by r&esidual"), "", "", "",
                         N_("Colour targets by the distance from the adjusted surface, and "
-                           "validation planes by the distance from the plane of all lines as "
-                           "shown")),
-    "arrange": (N_("&Arrange as at first"), "", "", "",
-                N_("Restore the original layout of all panels")),
+                           "validation planes by the distance from the plane fitted to all "
+                           "displayed lines")),
+    "arrange": (N_("&Restore default layout"), "", "", "",
+                N_("Restore the default layout of all panels")),
     "theme_system": (N_("&System default"), "", "", "",
-                     N_("Light or dark as set in the system; follows changes")),
-    "theme_light": (N_("&Light"), "", "", "", N_("Dark text on a light background")),
-    "theme_dark": (N_("&Dark"), "", "", "", N_("Light text on a dark background")),
+                     N_("Use the light or dark theme of the system")),
+    "theme_light": (N_("&Light"), "", "", "", N_("Use dark text on a light background")),
+    "theme_dark": (N_("&Dark"), "", "", "", N_("Use light text on a dark background")),
 }  # fmt: skip
 
 INSPECT_ACTIONS: dict[str, Described] = {
     "section": (N_("&Section across the target"), "", "", "S",
-                N_("Cut a strip across the selected target: all lines side by side at true "
-                   "scale")),
+                N_("Show a section of all lines across the selected target at true scale")),
     "section_points": (N_("Section &between two points"), "", "", "Shift+S",
-                       N_("Cut a section of the lines between two clicked points")),
+                       N_("Cut a section between two clicked points")),
     "section_picture": (N_("Save the section's &picture…"), "", "", "Ctrl+P",
                         N_("Save the section as shown, as PNG, SVG or PDF")),
     "copy_section": (N_("Cop&y the section's picture"), "", "", "Ctrl+Shift+P",
                      N_("Copy the section as shown to the clipboard")),
     "measure_distance": (N_("Measure a &distance"), "", "ruler", "M",
-                         N_("Click two points: slope, horizontal and vertical distance")),
+                         N_("Click two points to measure their slope, horizontal and vertical "
+                            "distance")),
     "measure_angle": (N_("Measure an &angle"), "", "", "Shift+M",
-                      N_("Click a point, the vertex and another point")),
+                      N_("Click a point, the vertex and another point to measure the angle")),
     "clip": (N_("&Clip box"), "", "crop", "X",
              N_("Draw only the points in a box around the selected target")),
-    "wipe": (N_("Before and after in o&ne picture"), "", "", "W",
-             N_("Before on the left and after on the right of a line that follows the mouse")),
-    "hover": (N_("S&how what a click would take"), "", "", "H",
-              N_("Outline the plane that a click at the mouse position would select")),
+    "wipe": (N_("Before a&nd after in a split view"), "", "", "W",
+             N_("Show the lines before on the left and after on the right of a divider that "
+                "follows the mouse")),
+    "hover": (N_("S&how plane under the mouse"), "", "", "H",
+              N_("Outline the plane that a Ctrl+click at the mouse position would pick")),
     "lasso_add": (N_("A&dd points with a lasso"), "", "lasso", "L",
                   N_("Draw around points near the selected target to add them to it")),
     "lasso_remove": (N_("Re&move points with a lasso"), "", "", "Shift+L",
                      N_("Draw around points of the selected target to remove them from it")),
-    "change_role": (N_("Change the &role"), "", "", "F8",
+    "change_role": (N_("Change &role of target"), "", "", "F8",
                     N_("Turn the selected target into a validation plane, or the reverse")),
-    "patch_point": (N_("Object &for the patch test"), "", "", "Ctrl+Shift+T",
-                    N_("Place a box of the patch test around the next point clicked")),
-    "end_tool": (N_("&End the tool"), "", "", "Esc", N_("Return the mouse to the view")),
+    "patch_point": (N_("Add object &for the patch test"), "", "", "Ctrl+Shift+T",
+                    N_("Put a patch-test box around the next point that you click")),
+    "end_tool": (N_("&End the mouse tool"), "", "", "Esc",
+                 N_("End the measurement, the section or the lasso")),
 }  # fmt: skip
 """Measurements and inspections with the mouse."""
 
@@ -149,8 +152,10 @@ SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle
 
 KEYS = (
     (N_("View"), (
-        (N_("Drag, arrows"), N_("rotate about the point under the mouse, about the centre")),
-        (N_("Shift + drag, Shift + arrows"), N_("pan; also drag with the right or middle button")),
+        (N_("Drag, arrows"), N_("rotate about the point under the mouse (drag) or about the "
+                                "centre (arrows)")),
+        (N_("Shift + drag, Shift + arrows"), N_("pan the view; also drag with the right or "
+                                                "middle button")),
         (N_("Wheel, Page up and down"), N_("zoom in and out")),
         (N_("Double click"), N_("centre the view on the point")),
         (N_("F, Shift + F"), N_("fit all, fit the selected target")),
@@ -160,48 +165,54 @@ KEYS = (
         ("+, −", N_("larger, smaller points")),
         ("C", N_("colour by line, height, intensity, range, time, residual")),
         ("B", N_("switch between before and after")),
-        ("W", N_("before and after in one picture: drag the line, or Ctrl + arrows")),
+        ("W", N_("before and after in a split view; move the divider with the mouse or with "
+                 "Ctrl + arrows")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
     (N_("Designing a site (Ctrl + Shift + D)"), (
-        (N_("Drag a line, its arrow"),
-         N_("move it nearer or farther, turn it; Shift: continuously")),
+        (N_("Drag a line or its arrow"),
+         N_("move the line nearer or farther, or turn it; with Shift continuously")),
         (N_("Drag a target"),
-         N_("move it along the wall and up; in 3D by its dots, also off the wall")),
+         N_("move the target along the wall and up or down; in 3D, drag its dots, also away "
+            "from the wall")),
         (N_("Page up and down"), N_("select a line or target")),
-        (N_("Arrows, Shift + arrows"), N_("move or turn it, in small steps")),
-        (N_("Insert, Delete"), N_("add or remove it")),
-        (N_("Ctrl + D, Alt + Up, Down"), N_("duplicate the line, move it earlier or later")),
+        (N_("Arrows, Shift + arrows"), N_("move or turn the selected line or target in small "
+                                          "steps")),
+        (N_("Insert, Delete"), N_("add or remove a line or target")),
+        (N_("Ctrl + D, Alt + Up, Down"), N_("duplicate the line, move it up or down in the "
+                                            "order")),
         (N_("Ctrl + L, Ctrl + B"), N_("add a line, a board")),
         (N_("Ctrl + Shift + B"), N_("add a sphere")),
-        ("F9", N_("scenarios")),
+        ("F9", N_("compare scenarios")),
         ("F10", N_("simulate surveys to check the standard deviations")),
-        ("F11", N_("compare the plan with the open project")),
+        ("F11", N_("compare the survey design with the open project")),
     )),
     (N_("Inspection"), (
-        (N_("S, Shift + S"), N_("section across the selected target, between two points")),
+        (N_("S, Shift + S"), N_("cut a section across the selected target, between two points")),
         (N_("Ctrl + P, Ctrl + Shift + P"), N_("save the picture of the section, copy it")),
         (N_("M, Shift + M"), N_("measure a distance, an angle")),
-        ("X", N_("clip box around the selected target on or off")),
-        ("H", N_("outline the plane that a click would select")),
-        (N_("Ctrl + T, Ctrl + Shift + T"), N_("patch test, box around an object for it")),
-        (N_("Esc"), N_("end measuring or the lasso")),
+        ("X", N_("show or remove the clip box around the selected target")),
+        ("H", N_("outline the plane that a Ctrl+click would pick")),
+        (N_("Ctrl + T, Ctrl + Shift + T"), N_("show the patch test, put a patch-test box "
+                                              "around an object")),
+        (N_("Esc"), N_("end the measurement, the section or the lasso")),
     )),
     (N_("Targets"), (
-        (N_("Ctrl + click"), N_("set a seed on a target")),
+        (N_("Ctrl + click"), N_("pick a target")),
         (N_("F3, Shift + F3"), N_("enter the coordinates of a seed, read a list of seeds")),
-        (N_("Enter, Esc"), N_("accept or reject the detected plane")),
-        (N_("F5, Shift + F5"), N_("propose targets, find the selected one again")),
-        ("F6, F7", N_("next seed is an adjustment target, a validation plane")),
+        (N_("Enter, Esc"), N_("accept or reject the detected target")),
+        (N_("F5, Shift + F5"), N_("propose targets, search for the selected target again")),
+        ("F6, F7", N_("pick an adjustment target, a validation plane with the next Ctrl + click")),
         ("F8", N_("turn the target into a validation plane, or the reverse")),
         (N_("L, Shift + L"), N_("lasso: add points to the selected target, remove points")),
     )),
     (N_("Project"), (
         (N_("Ctrl + 1, 2, 3, 4, 5"), N_("go to a step of the workflow")),
         ("F9, F10", N_("estimate, validate")),
-        (N_("Shift + F9"), N_("subsampling study")),
-        (N_("Shift + F10, F11"), N_("check against a reference, calibrations over the years")),
-        ("F12", N_("list of all warnings")),
+        (N_("Shift + F9"), N_("run the subsampling study")),
+        (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations over the "
+                                    "years")),
+        ("F12", N_("list all warnings")),
         (N_("Ctrl + ."), N_("cancel the running task")),
         (N_("Ctrl + E, Ctrl + Shift + E"), N_("export the report, the georeferenced lines")),
         (N_("Ctrl + Z, Ctrl + Y"), N_("undo, redo")),

@@ -74,7 +74,7 @@ ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "compare": (N_("Compare with the &open project"), N_("Compare"), "compare-horizontal", "F11",
                 N_("Compare predicted and obtained standard deviations of the open project")),
     "cancel": (N_("&Cancel the running task"), N_("Cancel"), "close-circle-outline", "Ctrl+.",
-               N_("Stop the running task; nothing is changed")),
+               N_("Cancel the running task; the project stays unchanged")),
     "keys": (N_("&Mouse and keys"), N_("Keys"), "keyboard-outline", "F1",
              N_("Show the mouse and keyboard actions")),
 }  # fmt: skip
