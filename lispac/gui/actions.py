@@ -33,7 +33,7 @@ _ACTIONS: dict[str, Described] = {
                   N_("Add lines to the open project")),
     "save": (N_("&Save"), N_("Save"), "content-save-outline", Keys.Save, N_("Save the project")),
     "save_as": (N_("Save &as…"), "", "", Keys.SaveAs,
-                N_("Save the project in another folder and continue there")),
+                N_("Save the project in another folder and continue to work on the copy")),
     "report": (N_("&Export report…"), N_("Report"), "file-document-outline", "Ctrl+E",
                N_("Write the report as PDF, HTML, JSON or tables (CSV in a ZIP file)")),
     "lines": (N_("Export &georeferenced lines…"), "", "export-variant", "Ctrl+Shift+E",

@@ -49,7 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = parser.parse_args(argv)
 
     if _no_screen():
-        print("lispac-gui: there is no screen to open a window on; use lispac.", file=sys.stderr)
+        print("lispac-gui: no display found. Use the command lispac instead.", file=sys.stderr)
         return 1
     application = QApplication.instance() or Application(sys.argv[:1])
     application.setApplicationName("LISPAC")

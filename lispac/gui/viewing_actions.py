@@ -158,10 +158,10 @@ KEYS = (
                                                 "middle button")),
         (N_("Wheel, Page up and down"), N_("zoom in and out")),
         (N_("Double click"), N_("centre the view on the point")),
-        (N_("F, Shift + F"), N_("fit all, fit the selected target")),
+        (N_("F, Shift + F"), N_("zoom to all points, zoom to the selected target")),
         ("1, 2, 3, 4, 5, 6", N_("isometric view, from the top, front, left, back, right")),
         ("7", N_("view along the normal of the selected target")),
-        ("O", N_("orthographic or perspective")),
+        ("O", N_("switch between orthographic and perspective view")),
         ("+, −", N_("larger, smaller points")),
         ("C", N_("colour by line, height, intensity, range, time, residual")),
         ("B", N_("switch between before and after")),
@@ -208,7 +208,7 @@ KEYS = (
     )),
     (N_("Project"), (
         (N_("Ctrl + 1, 2, 3, 4, 5"), N_("go to a step of the workflow")),
-        ("F9, F10", N_("estimate, validate")),
+        ("F9, F10", N_("estimate the boresight, validate")),
         (N_("Shift + F9"), N_("run the subsampling study")),
         (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations over the "
                                     "years")),

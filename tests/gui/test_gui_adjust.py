@@ -262,11 +262,11 @@ def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
     # several clicks make one adjustment, and each is a step of its own
     picked.rest()
     log = picked.window.log
-    before = log.toPlainText().count("Estimated again")
+    before = log.toPlainText().count("estimated again")
     tick(picked, 1, 3)
     tick(picked, 1, 4)
     settle(picked)
-    assert log.toPlainText().count("Estimated again") == before + 1
+    assert log.toPlainText().count("estimated again") == before + 1
     assert len(picked.project.result.sightings) == len(first.result.sightings) - 3
     press(picked, Key.Key_Z, Control)
     settle(picked)

@@ -111,7 +111,11 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     convention = system(key)
     type_boresight(qtbot, panel, "0.4", "-1.9", "0.4")
     choose(qtbot, panel, key)
-    word = {"verified": "Convention verified", "partly": "partly", "unverified": "Not verified"}
+    word = {
+        "verified": "Convention verified",
+        "partly": "partly",
+        "unverified": "Convention not verified",
+    }
     assert word[convention.status] in panel.status.text()
     assert panel.assumption.isVisible() == bool(convention.assumption)
     assert convention.assumption in panel.assumption.text()

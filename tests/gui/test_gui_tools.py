@@ -95,7 +95,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
         assert each.get_aspect() == 1.0
         lines = {drawn.get_gid() for drawn in each.lines} - {"bar"}
         assert lines == set(window.document.survey.lines)
-    apart = [float(each.get_title(loc="left").split()[3]) for each in axes]
+    apart = [float(each.get_title(loc="left").split()[4]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == frame_of(cuts[0].section)
@@ -293,7 +293,7 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
         board - board.mean(axis=0), axis=1))])  # fmt: skip
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
     sketch = view.sketches["hover"]
-    assert re.fullmatch(rf"About 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
+    assert re.fullmatch(rf"Plane of about 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
     outline = np.array(sketch.points)
     # It is the outline of what was picked by a click there.
     np.testing.assert_allclose(outline.min(axis=0), board.min(axis=0), atol=0.08)

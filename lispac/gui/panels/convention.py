@@ -53,12 +53,12 @@ _COLOURS: dict[Status, str] = {
 _STATUSES: dict[Status, tuple[str, str]] = {
     "verified": (N_("Convention verified"), N_("{program} (verified)")),
     "partly": (N_("Convention partly verified"), N_("{program} (partly verified)")),
-    "unverified": (N_("Not verified"), N_("{program} (not verified)")),
+    "unverified": (N_("Convention not verified"), N_("{program} (not verified)")),
 }
 """Title of each status, and a program with it."""
 _FORMULAS: dict[Direction, str] = {
-    "lidar_to_body": N_("{formula}, from LiDAR to body."),
-    "body_to_lidar": N_("{formula}, from body to LiDAR."),
+    "lidar_to_body": N_("Rotation from LiDAR to body: {formula}."),
+    "body_to_lidar": N_("Rotation from body to LiDAR: {formula}."),
 }
 _SCANNER_AXES: dict[Scanner, tuple[str, str]] = {
     "turned": (N_("parallel to the body axes"), N_("parallel to the body axes (usual)")),
@@ -173,7 +173,7 @@ class ConventionPanel(QWidget):
         self.copy.clicked.connect(lambda: QApplication.clipboard().setText(self._all_digits))
         self.copy_angles = widgets.button(
             gettext("Copy angles"), "convention_copy_angles", icon="content-copy",
-            tip=gettext("Copy the angles to the clipboard, one per line with its name"),
+            tip=gettext("Copy the angles with their names to the clipboard, one per row"),
         )  # fmt: skip
         self.copy_angles.clicked.connect(lambda: QApplication.clipboard().setText(self._all_angles))
         row = QHBoxLayout()
@@ -342,7 +342,7 @@ class ConventionPanel(QWidget):
     def _show_matrix(self, stated: MountingInSystem) -> None:
         name = program_name(stated.setup.convention)
         self.matrix_head.setText(
-            gettext("Scanner to body in {program}, with the lever arm", program=name)
+            gettext("Matrix from scanner to body in {program}, with the lever arm", program=name)
         )
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
@@ -359,8 +359,8 @@ def _matrix_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
 def _sum_error_text(error: float) -> str:
     """Warning that the sum of the angles is wrong by so many radians."""
     return gettext(
-        "<b>Do not add the angles.</b> Their sum would be wrong by {angle}, or {distance} at "
-        "{range}.",
+        "<b>Do not add the correction to the present angles.</b> The sum would be wrong by "
+        "{angle}, which is {distance} at {range}.",
         angle=units.local_amount(float(np.degrees(error)), "°", ".4f"),
         distance=units.local_amount(error * 1e5, "mm", ".0f"),
         range=units.local_amount(100.0, "m", ".0f"),

@@ -24,9 +24,9 @@ from lispac.survey.georeferencing import Mounting
 
 USER_DEFINED = N_("User-defined values.")
 MEANINGS = (
-    N_("Positive with the left side up"),
-    N_("Positive with the bow down"),
-    N_("Positive clockwise seen from above"),
+    N_("Roll is positive with the port side up"),
+    N_("Pitch is positive with the bow down"),
+    N_("Yaw is positive clockwise seen from above"),
 )
 """Signs of roll, pitch and yaw."""
 TRANSLATED_PROGRAMS = (

@@ -65,7 +65,7 @@ def sighting_columns() -> tuple[Column, ...]:
         ),
         Column(
             gettext("Outliers"),
-            gettext("Points with a test value beyond {limit:x.2}", limit=CRITICAL),
+            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL),
         ),
         Column(
             gettext("Largest w of a point"),
@@ -114,10 +114,12 @@ def target_columns() -> tuple[Column, ...]:
             gettext("Noise factor"),
             gettext("Noise of the residuals divided by the given noise, at least 1"),
         ),
-        Column(gettext("Largest w"), gettext("Largest test value of its sightings")),
+        Column(
+            gettext("Largest w"), gettext("Largest test value w of the sightings of the target")
+        ),
         Column(
             gettext("Outliers"),
-            gettext("Points with a test value beyond {limit:x.2}", limit=CRITICAL),
+            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL),
         ),
         Column(gettext("Remark"), gettext("Finding that should be checked"), True),
     )

@@ -106,7 +106,7 @@ def profiles_text(comparison: PlaneComparison) -> str:
             cells = ("" if np.isnan(each[k]) else f"{1000 * each[k]:.3f}" for each in values)
             rows.append((title, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
     heads = (
-        "Against", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
+        "Quantity", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
         "95 % before (mm)", "95 % after (mm)",
     )  # fmt: skip
     return _text(heads, rows)

@@ -174,7 +174,7 @@ class ReportPanel(QWidget):
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(gettext("Language"), self.language)
-        form.addRow(gettext("Page"), self.page)
+        form.addRow(gettext("Paper size"), self.page)
         form.addRow(gettext("Also give angles for"), self.convention)
         form.addRow(gettext("Template"), row)
         for box in (self.language, self.page, self.convention):

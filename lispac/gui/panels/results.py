@@ -30,7 +30,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project, Triple
 
-_FRAMES = N_("The boresight turns the LiDAR frame into the body frame (forward, left, up):")
+_FRAMES = N_("The boresight rotates LiDAR coordinates into the body frame (forward, left, up):")
 _FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
 _ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
 _SIGNS = N_(

@@ -52,7 +52,7 @@ class SectionPanel(QWidget):
         )  # fmt: skip
         self.thickness = widgets.number(
             "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
-            tip=gettext("Thickness of the strip"),
+            tip=gettext("Thickness of the section"),
         )  # fmt: skip
         self.size = widgets.number(
             "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
@@ -78,7 +78,7 @@ class SectionPanel(QWidget):
         self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
-        form.addRow(gettext("Strip"), self.laid)
+        form.addRow(gettext("Orientation"), self.laid)
         form.addRow(gettext("Thickness"), self.thickness)
         form.addRow(gettext("Size"), self.size)
         self._left = QVBoxLayout()
