@@ -139,7 +139,7 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     assert list(shown) == ["Present angles", "Correction", "New angles"]
     assert shown["Present angles"] == [0.1, 1.0, -3.0]
     assert shown["New angles"] == [0.125, 1.192, 0.276]
-    assert "Do not add the angles" in panel.remarks.text()
+    assert "Do not add the correction" in panel.remarks.text()
     assert "18 mm at 100 m" in panel.remarks.text().replace("\u00a0", " ")
     qtbot.mouseClick(
         panel.current.applied, Left, pos=QPoint(8, panel.current.applied.height() // 2)
