@@ -27,11 +27,10 @@ from lispac.patchtest.pairs import Kind, LinePair
 
 TITLE = N_("Patch test")
 EMPTY = N_(
-    "The patch test compares the lines at objects that are visible in several lines: edges, "
-    "pillars, poles. Change roll, pitch and yaw until the colours coincide: the correct "
-    "boresight has the smallest mismatch. Press Find objects, or click an object in the view. "
-    "Distant objects high above the vessel are best. Avoid objects surveyed under a bridge, "
-    "where the position may be wrong."
+    "The patch test compares the lines at objects visible in several lines: edges, pillars, "
+    "poles. Find objects, or click one in the view. Then change roll, pitch and yaw until the "
+    "colours coincide: the correct boresight has the smallest mismatch. Distant objects high "
+    "above the vessel are best; positions under bridges may be wrong."
 )
 NO_DATA = N_("Open a project with at least two lines to compare them.")
 VIEWS = (N_("From above"), N_("From the front of the box"), N_("From the left of the box"))
