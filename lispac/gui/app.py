@@ -44,12 +44,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "project", nargs="?", type=Path, help="project folder, project.json or project.lispac"
     )
-    parser.add_argument("--demo", action="store_true", help="open the built-in survey")
+    parser.add_argument("--demo", action="store_true", help="open the demo survey")
     parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
     arguments = parser.parse_args(argv)
 
     if _no_screen():
-        print("lispac-gui: there is no screen to open a window on; use lispac.", file=sys.stderr)
+        print("lispac-gui: no display found. Use the command lispac instead.", file=sys.stderr)
         return 1
     application = QApplication.instance() or Application(sys.argv[:1])
     application.setApplicationName("LISPAC")

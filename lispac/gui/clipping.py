@@ -64,7 +64,9 @@ class Clipping(QObject):
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
         self._take(Box.about(points, common_normal([points]), MARGIN))
-        self._note(gettext("The clip box hid {name} and was moved around it.", name=name))
+        self._note(
+            gettext("{name} was outside the clip box. The clip box was moved around it.", name=name)
+        )
 
     def reset(self) -> None:
         """Draw everything."""

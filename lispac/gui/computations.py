@@ -25,18 +25,18 @@ from lispac.workflow.survey import Survey
 WRITING = {
     "lines": N_("Writing the lines"),
     "targets": N_("Writing the targets"),
-    "planes": N_("Writing the plane files"),
+    "planes": N_("Writing the files of the planes"),
     "trajectory": N_("Writing the trajectory"),
 }
 """Title of the task that exports each kind of data."""
 
 PLANE_THROUGH_POINTS = Plural(
-    "validation, local plane through {count:n} point",
-    "validation, local plane through {count:n} points",
+    "validation with local planes through {count:n} point",
+    "validation with local planes through {count:n} points",
 )
 QUADRIC_THROUGH_POINTS = Plural(
-    "validation, local quadric through {count:n} point",
-    "validation, local quadric through {count:n} points",
+    "validation with local quadrics through {count:n} point",
+    "validation with local quadrics through {count:n} points",
 )
 
 
@@ -182,7 +182,7 @@ class Computations(QObject):
                 then()
 
         return self._runner.run(
-            gettext("Placing the lines with the estimated boresight"),
+            gettext("Georeferencing the lines with the estimated boresight"),
             lambda progress: survey.shown(project, "estimated", progress=progress),
             done,
             key=key,
@@ -228,11 +228,11 @@ def _used_sightings(project: Project | None):
 def _validation_name(model: LocalModel) -> Template:
     """Name of the edit by the surface that distances are measured to."""
     if model.kind == "point":
-        return N_("validation, nearest point")
+        return N_("validation with distances to the nearest point")
     if model.radius is not None:
         if model.kind == "plane":
-            return N_("validation, local plane within {radius:m} m")
-        return N_("validation, local quadric within {radius:m} m")
+            return N_("validation with local planes within a radius of {radius:m} m")
+        return N_("validation with local quadrics within a radius of {radius:m} m")
     if model.kind == "plane":
         return PLANE_THROUGH_POINTS
     return QUADRIC_THROUGH_POINTS

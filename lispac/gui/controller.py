@@ -267,7 +267,7 @@ class Controller(QObject):
                 self._document.set_survey(project, survey)
 
         self._runner.run(
-            gettext("Placing the lines"),
+            gettext("Georeferencing the lines"),
             lambda progress: load_survey(project, progress=progress),
             done,
             key="survey",
@@ -334,7 +334,9 @@ class Controller(QObject):
         if self._document.project is None:
             return False
         if self._runner.busy or not self._document.survey_is_current:
-            self.noted.emit(gettext("Wait until the running task has ended, then seed again."))
+            self.noted.emit(
+                gettext("A task is running. Wait until it has ended, then pick the target again.")
+            )
             return False
         return True
 
@@ -345,7 +347,9 @@ class Controller(QObject):
             return
         self._drop_candidate()
         name, sightings = candidate.name, len(candidate.sightings)
-        self._document.edit(N_("pick of {target}"), project.with_target(candidate), target=name)
+        self._document.edit(
+            N_("detection of {target}"), project.with_target(candidate), target=name
+        )
         found = Plural(
             "{target}: found in {sightings:n} of {count:n} line",
             "{target}: found in {sightings:n} of {count:n} lines",
@@ -356,7 +360,9 @@ class Controller(QObject):
     def reject(self) -> None:
         """Discard the candidate."""
         if self.candidate is not None:
-            self.noted.emit(gettext("{target}: rejected", target=self.candidate.name))
+            self.noted.emit(
+                gettext("The detected target {target} was rejected.", target=self.candidate.name)
+            )
             self._drop_candidate()
 
     def offer(self, candidate: Target) -> None:
@@ -381,7 +387,7 @@ class Controller(QObject):
             return
         try:
             edited = edits.with_name(self._project, old, new)
-            self._document.edit(N_("rename of {target}"), edited, target=old)
+            self._document.edit(N_("renaming of {target}"), edited, target=old)
         except LispacError as error:
             self.refused.emit(error)
             self._document.changed.emit()
@@ -424,7 +430,7 @@ class Controller(QObject):
             self.refused.emit(error)
             return
         edited = self._project.with_settings(settings)
-        self._document.edit(N_("change of the mounting"), edited)
+        self._document.edit(N_("change of mounting settings"), edited)
 
     @property
     def _project(self) -> Project | None:

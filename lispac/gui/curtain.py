@@ -40,7 +40,9 @@ class Curtain(QObject):
             self._end()
         elif project is None or project.result is None:
             self._action.setChecked(False)
-            self._note(gettext("Estimate first, to compare before and after."))
+            self._note(
+                gettext("Estimate the boresight first, to compare the lines before and after.")
+            )
         elif self._scene.which == "estimated":
             self._follow()
         else:

@@ -12,7 +12,7 @@ from lispac.language import N_, gettext
 Area = Qt.DockWidgetArea
 Docks = dict[str, QDockWidget]
 
-WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by lines")
+WORKFLOW, RESULTS, SIGHTINGS = N_("Workflow"), N_("Results"), N_("Targets by line")
 HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
 """Titles of docks in English: keys of `Docks`, from which the names in a saved layout are made."""
 

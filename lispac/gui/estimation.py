@@ -25,16 +25,18 @@ REST_MS = 250
 """Several clicks in a row make one adjustment."""
 
 ESTIMATED = Plural(
-    "Estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
-    "Estimated from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
 )
 ESTIMATED_AGAIN = Plural(
-    "Estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
-    "Estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated again from {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated again from {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
 )
 ESTIMATED_SAME_POINTS = Plural(
-    "Estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} → {after}",
-    "Estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} → {after}",
+    "Boresight estimated again from the same {count:n} point in {elapsed:s.2} s; RMS {before} "
+    "→ {after}",
+    "Boresight estimated again from the same {count:n} points in {elapsed:s.2} s; RMS {before} "
+    "→ {after}",
 )
 
 
@@ -117,7 +119,7 @@ class Estimation(QObject):
                 return
             self._selection, self._wants_checks = answer.selection, cross_check
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
-            self._document.edit(N_("estimate"), answer.estimated, survey=answer.replaced)
+            self._document.edit(N_("boresight estimate"), answer.estimated, survey=answer.replaced)
             # Another survey: the scene has released its data.
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._scene.show("estimated")
@@ -199,7 +201,11 @@ class Estimation(QObject):
 
         # A quick one gives way to what the user asks for; a slow one can be cancelled.
         task = self._runner.run(
-            gettext("Estimating again"), work, done, quiet=selection is not None, key="follow"
+            gettext("Estimating the boresight again"),
+            work,
+            done,
+            quiet=selection is not None,
+            key="follow",
         )
         self._following = (task, project)
         self._asked = task
@@ -234,7 +240,11 @@ class Estimation(QObject):
                 self._scene.keep_placed(project.result, checked.result)
                 self._document.amend(checked)
 
-        title = gettext("Cross-checking") if wanted else gettext("Searching for a further line")
+        title = (
+            gettext("Cross-checking the result")
+            if wanted
+            else gettext("Searching for an additional line that improves the result")
+        )
         self._checking = self._runner.run(title, work, done, quiet=True, key="follow")
 
     def _note(self, project: Project, text: Plural) -> None:
@@ -276,6 +286,6 @@ def _adjusted(
     elapsed = perf_counter() - started
     # The checks hold the very result they stand beside.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
-    progress(0.95, gettext_lazy("Placing the lines with the estimated boresight"))
+    progress(0.95, gettext_lazy("Georeferencing the lines with the estimated boresight"))
     clouds = survey.shown(estimated, "estimated", progress=part(progress, 0.95, 1.0))
     return _EstimationResult(estimated, selection, clouds, None)

@@ -131,7 +131,10 @@ def sketch_of(points: Array, patch: PlanePatch, line: str) -> Sketch:
     count = len(places)
     width, height = patch.extent[:2]
     text = gettext(
-        "About {width:m.1} × {height:m.1} m in {line}", width=width, height=height, line=line
+        "Plane of about {width:m.1} × {height:m.1} m in {line}",
+        width=width,
+        height=height,
+        line=line,
     )
     top = places[int(np.argmax(corners[:, 2]))]
     edges = tuple((k, (k + 1) % count) for k in range(count))

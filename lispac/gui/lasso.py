@@ -102,7 +102,7 @@ class Lasso(QObject):
             return
         sighting = _sighting(name, line)
         if not changed:
-            template = N_("{sighting}: no points inside the outline")
+            template = N_("No points of {sighting} inside the outline")
             self._note(gettext(template, sighting=sighting))
             return
         self._document.edit(

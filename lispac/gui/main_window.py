@@ -344,7 +344,11 @@ class MainWindow(QMainWindow):
         """Request a window in the language and theme of the settings, once no task runs."""
         for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
-                self._note(gettext("The window changes when the running task has ended."))
+                self._note(
+                    gettext(
+                        "A task is running. The new language or theme is used when it has ended."
+                    )
+                )
                 runner.idle.connect(self.renew, Qt.ConnectionType.SingleShotConnection)
                 return
         self.renewal_asked.emit()

@@ -129,8 +129,8 @@ class PatchObjects(QObject):
                 return str(error)
             if not found.sample.seen:
                 return gettext(
-                    "No two lines have points in the box. Place it around an object that is "
-                    "visible in two lines."
+                    "Fewer than two lines have points in the box. Place it around an object "
+                    "that is visible in two lines."
                 )
             return found
 

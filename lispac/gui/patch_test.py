@@ -258,7 +258,7 @@ class PatchTestController(QObject):
             degrees = float(np.degrees(found.boresight[angle]))
             self.panel.said.setText(
                 gettext(
-                    "Smallest mismatch for {angle} alone: {value}",
+                    "The mismatch is smallest at {angle} {value}, with the other angles unchanged.",
                     angle=gettext(ANGLE_NAMES[angle]),
                     value=units.local_amount(degrees, "°", "+.4f"),
                 )

@@ -16,8 +16,8 @@ from lispac.language import N_, gettext
 from lispac.project import Project
 
 CAPTIONS: dict[Which, str] = {
-    "prior": N_("The lines placed with the prior boresight"),
-    "estimated": N_("The lines placed with the estimated boresight"),
+    "prior": N_("Lines georeferenced with the prior boresight"),
+    "estimated": N_("Lines georeferenced with the estimated boresight"),
 }
 """Captions in English: the report translates them into its own language."""
 

@@ -61,7 +61,7 @@ class ReportExport(QObject):
         )
         current = self._document.project  # a task may have ended meanwhile
         if answer is not None and current is not None and answer != current.identity:
-            self._document.edit(N_("details for the report"), current.with_identity(answer))
+            self._document.edit(N_("change of report details"), current.with_identity(answer))
 
     def ask_template(self) -> None:
         """Ask for a template."""

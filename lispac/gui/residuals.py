@@ -41,7 +41,9 @@ def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
         If nothing has been adjusted yet; the text is in the language of the window.
     """
     if project.result is None:
-        raise ValueError(gettext("Estimate first: the residuals are those of the adjustment."))
+        raise ValueError(
+            gettext("There are no residuals before an adjustment. Estimate the boresight first.")
+        )
     clouds = survey.placed(project, "estimated")
     found = {}
     for fit in project.result.targets:

@@ -53,7 +53,7 @@ class SecondOpinions(QObject):
         def done(asked: Asked) -> None:
             found, refused = asked
             if found is not project:
-                self._document.edit(N_("alternative methods"), found)
+                self._document.edit(N_("results of alternative methods"), found)
             self.compare(refused)
 
         task = self._runner.run(gettext("Running alternative methods"), work, done, shows=True)

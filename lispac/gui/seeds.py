@@ -103,7 +103,7 @@ class SeedActions(QObject):
             for each in thinned_notes(outcome.target) if outcome.target else ():
                 self._controller.noted.emit(message_text(each))
         if names:
-            self._document.edit(N_("seeds of {file}"), edited, file=path.name)
+            self._document.edit(N_("addition of targets from {file}"), edited, file=path.name)
         found = Plural(
             "{file}: a target was found for {found:n} of {count:n} seed",
             "{file}: targets were found for {found:n} of {count:n} seeds",

@@ -87,7 +87,7 @@ class QualityComputation(QObject):
             self._known = judged
             self._tell()
 
-        title = gettext("Rating the sightings")
+        title = gettext("Computing the quality of the sightings")
         task = self._runner.run(title, work, done, quiet=True, key="quality")
         self._asked = (task, project)
 
@@ -107,7 +107,7 @@ class QualityComputation(QObject):
             self._known = {**judged, **self._known}  # it holds when it is accepted
             self.candidate_judged.emit({line: each.quality for (_, line), each in judged.items()})
 
-        title = gettext("Rating {target}", target=candidate.name)
+        title = gettext("Computing the quality of {target}", target=candidate.name)
         task = self._runner.run(title, work, done, quiet=True, key="candidate")
         self._asked_candidate = task, candidate
         return True

@@ -230,13 +230,13 @@ class SiteDesign(QObject):
 
         def done(found: Design) -> None:
             best = TitledPlan(title, found.plan, site.wall)
-            self.workspace.edit(gettext_lazy("Best plan"), best)
+            self.workspace.edit(gettext_lazy("best survey design"), best)
             value = float(np.degrees(found.value))
             panel.show_found(SearchResult(value, objective, found.looked_at, found.exact))
             window.pictures.show_front(found.front, CRITERIA[objective.criterion])
 
         panel.show_found(None)
-        self.runner.run(gettext("Searching for the best plan"), work, done)
+        self.runner.run(gettext("Searching for the best survey design"), work, done)
 
     def surveys(self) -> None:
         """Simulate and adjust many surveys of the plan, in the background."""
@@ -280,7 +280,7 @@ class SiteDesign(QObject):
             return replay(project, loaded, titled)
 
         self.runner.run(
-            gettext("Comparing with the survey"), work,
+            gettext("Comparing the survey design with the survey"), work,
             lambda found: window.show_compared(found, project.name, titled),
         )  # fmt: skip
 

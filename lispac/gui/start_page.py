@@ -24,9 +24,10 @@ from lispac.language import N_, gettext
 
 WAYS = (
     ("tour", "compass-outline", N_("Three-minute tour"),
-     N_("Calibrate the built-in survey step by step")),
-    ("new", "folder-plus-outline", N_("New project…"), N_("From a trajectory and lines")),
-    ("open", "folder-open-outline", N_("Open project…"), N_("A folder with a project.json file")),
+     N_("Calibrate the demo survey step by step")),
+    ("new", "folder-plus-outline", N_("New project…"), N_("Import a trajectory and lines")),
+    ("open", "folder-open-outline", N_("Open project…"), N_("Open a folder with a project.json "
+                                                            "file")),
     ("demo", "ferry", N_("Demo survey"), N_("A quay with two boards, surveyed in six lines")),
     ("design", "vector-square", N_("Design a site…"),
      N_("Plan boards and lines before the survey")),
@@ -60,7 +61,8 @@ class StartPage(QScrollArea):
         outer.addWidget(title)
         outer.addWidget(
             widgets.label(
-                gettext("Drop lines and a trajectory anywhere on this window, or begin here."),
+                gettext("Drop lines and a trajectory anywhere on this window, or choose an "
+                        "action."),
                 "muted", wrap=True,
             )
         )  # fmt: skip
@@ -69,7 +71,7 @@ class StartPage(QScrollArea):
         sides.setSpacing(36)
         self._begin, self._recent = QVBoxLayout(), QVBoxLayout()
         for side, head in (
-            (self._begin, gettext("Begin")),
+            (self._begin, gettext("Get started")),
             (self._recent, gettext("Recent projects")),
         ):
             side.setSpacing(4)

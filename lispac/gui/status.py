@@ -87,9 +87,7 @@ def steps(
         first = StepStatus(
             "todo",
             gettext("no project open"),
-            gettext(
-                "Create a project from a trajectory and lines, or open the built-in demo survey."
-            ),
+            gettext("Create a project from a trajectory and lines, or open the demo survey."),
         )
         return (first, *[nothing] * 4)
     return (
@@ -104,7 +102,7 @@ def steps(
 def _data(project: Project, survey: Survey | None) -> StepStatus:
     lines = len(project.lines)
     if survey is None:
-        reading = Plural("{count:n} line, reading", "{count:n} lines, reading")
+        reading = Plural("reading {count:n} line", "reading {count:n} lines")
         return StepStatus(
             "todo", gettext(reading, count=lines), gettext("The files are being read.")
         )
@@ -121,7 +119,9 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
     used = [target for target in project.of_role("target") if target.used]
     planes = project.of_role("validation")
     if survey is None:
-        return StepStatus("empty", gettext("data first"), gettext("Wait until the data are read."))
+        return StepStatus(
+            "empty", gettext("waiting for data"), gettext("Wait until the data are read.")
+        )
     if not used:
         return StepStatus(
             "todo",
@@ -141,8 +141,8 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
             "warning",
             sentence,
             gettext(
-                "{target} was found in fewer than two lines. Seed it in another line, or exclude "
-                "it.",
+                "{target} was found in fewer than two lines. Pick it in another line, or "
+                "exclude it.",
                 target=thin[0],
             ),
             ready=True,
@@ -157,11 +157,13 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
     if project.result is None and face_one_way(project, survey):
         return StepStatus("warning", sentence, _one_facing(), ready=True)
     if planes:
-        advice = gettext("The targets suffice to adjust and to validate.")
+        advice = gettext(
+            "There are enough targets and planes for the adjustment and the validation."
+        )
     else:
         advice = gettext(
-            "The targets suffice to adjust. Pick validation planes as well, to check how well the "
-            "lines agree."
+            "There are enough targets for the adjustment. Pick validation planes as well, to "
+            "check how well the lines agree."
         )
     return StepStatus("done", sentence, advice, ready=True)
 
@@ -198,8 +200,8 @@ def _adjust(
     if waiting:
         return StepStatus(
             "todo",
-            gettext("estimating again"),
-            gettext("The result follows without further action."),
+            gettext("estimation in progress"),
+            gettext("The result is updated automatically."),
             ready=ready,
         )
     if not ready:
@@ -236,7 +238,10 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
             "done" if better == total and not not_compared else "warning",
             sentence,
             "\n".join(
-                [gettext("The histograms are below."), *map(message_text, not_compared.values())]
+                [
+                    gettext("The histograms below show the distances between the lines."),
+                    *map(message_text, not_compared.values()),
+                ]
             ),
             ready=project.result is not None and survey is not None,
         )
@@ -293,8 +298,8 @@ def _report(project: Project, survey: Survey | None, reported: str) -> StepStatu
         "warning",
         gettext("ready, without validation"),
         gettext(
-            "Export the report as PDF or HTML, or its numbers as JSON. It will have no validation; "
-            "run step 4 to add one."
+            "The report has no validation yet; run step 4 to add it. You can export the report "
+            "as PDF or HTML, or its numbers as JSON."
         ),
         ready=survey is not None,
     )

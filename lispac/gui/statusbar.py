@@ -36,7 +36,7 @@ class TaskBar(QStatusBar):
         self.cancel = widgets.button(
             gettext("Cancel"),
             "cancel_task",
-            tip=gettext("Stop the running task; nothing is changed"),
+            tip=gettext("Cancel the running task; the project stays unchanged"),
         )
         self.cancel.setStyleSheet("padding: 1px 10px;")
         self.cancel.clicked.connect(self.cancel_asked)

@@ -65,7 +65,7 @@ class TargetWork(QObject):
             return not_picked(project, propose(project, survey, progress=progress))
 
         task = self._runner.run(
-            gettext("Proposing targets"),
+            gettext("Searching for targets to propose"),
             work,
             lambda proposal: self._offer(project, proposal),
             shows=True,
@@ -104,14 +104,14 @@ class TargetWork(QObject):
         if self._document.project is not project:
             return
         if not proposal.targets:
-            self._controller.noted.emit(gettext("No further targets to propose"))
+            self._controller.noted.emit(gettext("No other suitable targets were found."))
             return
         names = self._dialogs.proposal(proposal)
         if not names:
-            self._controller.noted.emit(gettext("Proposed targets rejected"))
+            self._controller.noted.emit(gettext("The proposed targets were rejected."))
             return
         edited, given = with_accepted(project, proposal, names)
-        self._document.edit(N_("proposed targets"), edited)
+        self._document.edit(N_("addition of proposed targets"), edited)
         self._controller.noted.emit(gettext("Accepted {targets:names}", targets=given))
 
     def _ready(self) -> tuple[Project | None, Survey | None]:

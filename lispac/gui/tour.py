@@ -47,33 +47,33 @@ def _targets(project: Project, role: str) -> int:
 
 
 STEPS = (
-    Step(N_("The vessel has passed this quay six times; each line has its own colour. The scanner "
-            "is not mounted as specified, so the same wall appears in six places. Hold Ctrl and "
+    Step(N_("The vessel has passed this quay six times; each line has its own colour. The "
+            "prior boresight is wrong, so the same wall appears in six places. Hold Ctrl and "
             "click the board in the middle of the view."), "T1",
          lambda project, waits: waits or _targets(project, "target") >= 1),
-    Step(N_("The plane of the board was found in every line. Press Return to accept it."), "T1",
+    Step(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
          lambda project, _waits: _targets(project, "target") >= 1),
-    Step(N_("One board does not determine all three angles. This second one leans back: Ctrl+click "
-            "it and press Return."), "T2",
+    Step(N_("One board does not determine all three angles. Ctrl+click this second board, "
+            "which leans back, and press Enter."), "T2",
          lambda project, _waits: _targets(project, "target") >= 2),
     Step(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
             "standard deviations that include the errors of the trajectory."), "",
          lambda project, _waits: project.result is not None),
-    Step(N_("Do the lines agree now? Press F7 and Ctrl+click the plane in the middle: a "
-            "validation plane is not used in the adjustment. Press Return to accept it."), "V1",
+    Step(N_("Now check that the lines agree on a validation plane, which is not used in the "
+            "adjustment. Press F7, Ctrl+click the plane in the middle and press Enter."), "V1",
          lambda project, _waits: _targets(project, "validation") >= 1),
     Step(N_("Press F10: the histograms below show the distances between the lines before and "
-            "after the calibration. B switches the view between the two."), "",
+            "after the calibration. Press B to switch the view between before and after."), "",
          lambda project, _waits: bool(project.validation)),
-    Step(N_("The calibration is complete. Ctrl+E writes the report for your signature; each step "
-            "on the left shows what is missing and what comes next."), "",
+    Step(N_("The calibration is complete. Press Ctrl+E to write the report. Each step on the "
+            "left shows its state and the next action."), "",
          lambda _project, _waits: False),
 )  # fmt: skip
 
 
 ALIKE = N_(
-    "This target faces the same way as the other, so the angles are not determined. Undo with "
-    "Ctrl+Z, then Ctrl+click the board that leans back and press Return."
+    "This target has the same orientation as the other, so the angles are not determined. Undo "
+    "with Ctrl+Z, then Ctrl+click the board that leans back and press Enter."
 )
 """Shown instead of the text of any step while that is so."""
 

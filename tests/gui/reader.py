@@ -39,7 +39,7 @@ BEAT_MS = 30
 PATIENCE_S, PATIENCE_WITH_WORK_S = 20.0, 150.0
 """For what a page names to be there, and for what it has started to end."""
 CTRL_CLICK = ("Ctrl+click", "Ctrl+clic")
-KEYS = {"Entrée": "Return"}
+KEYS = {"Entrée": "Return", "Enter": "Return"}
 """Keys that are called otherwise in French."""
 Left, Control = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier
 Act = Callable[[], None]

@@ -87,7 +87,7 @@ def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel
     qtbot.mouseClick(panel.copy_angles, Left)
     copied = [line.split("\t") for line in QApplication.clipboard().text().splitlines()]
     assert [name for name, _ in copied] == list(panel.convention.names)
-    assert [float(value) for _, value in copied] == rows(panel)["If it holds"]
+    assert [float(value) for _, value in copied] == rows(panel)["Assumed angles"]
 
 
 def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
@@ -95,11 +95,11 @@ def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) ->
     type_in(qtbot, panel.given.lever_arm.fields[0], "-0.186")
     assert panel.convention.key == "applanix"
     assert heads(panel) == ["Roll", "Pitch", "Heading"]
-    assert rows(panel) == {"To enter": [0.13, 0.12, 0.28]}
+    assert rows(panel) == {"New angles": [0.13, 0.12, 0.28]}
     assert "is pitched 0.120° bow up" in panel.words.text()
     assert "is rolled 0.130° left side up" in panel.words.text()
     assert "0.186\u00a0m aft of" in panel.words.text()
-    assert "Verified" in panel.status.text()
+    assert "Convention verified" in panel.status.text()
     assert theme.DONE in panel.status.text()
     assert not panel.assumption.isVisible()
     assert not panel.given.take.isEnabled()
@@ -111,7 +111,11 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     convention = system(key)
     type_boresight(qtbot, panel, "0.4", "-1.9", "0.4")
     choose(qtbot, panel, key)
-    word = {"verified": "Verified", "partly": "Partly", "unverified": "Not verified"}
+    word = {
+        "verified": "Convention verified",
+        "partly": "partly",
+        "unverified": "Convention not verified",
+    }
     assert word[convention.status] in panel.status.text()
     assert panel.assumption.isVisible() == bool(convention.assumption)
     assert convention.assumption in panel.assumption.text()
@@ -119,7 +123,7 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     if convention.has_angles:
         stated = state(panel.given.mounting, Setup(convention))
         (label, shown), *_ = rows(panel).items()
-        assert label == ("To enter" if convention.status == "verified" else "If it holds")
+        assert label == ("New angles" if convention.status == "verified" else "Assumed angles")
         np.testing.assert_allclose(shown, np.degrees(stated.angles), atol=5.1e-5)
         assert heads(panel) == [name.capitalize() for name in convention.names]
     assert panel.imu.isVisible() == convention.open_axes
@@ -132,18 +136,18 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     for field, text in zip(panel.current.fields.fields, ("0.1", "1.0", "-3"), strict=True):
         type_in(qtbot, field, text)
     shown = rows(panel)
-    assert list(shown) == ["Present", "Correction", "To enter"]
-    assert shown["Present"] == [0.1, 1.0, -3.0]
-    assert shown["To enter"] == [0.125, 1.192, 0.276]
-    assert "Do not add the angles" in panel.remarks.text()
+    assert list(shown) == ["Present angles", "Correction", "New angles"]
+    assert shown["Present angles"] == [0.1, 1.0, -3.0]
+    assert shown["New angles"] == [0.125, 1.192, 0.276]
+    assert "Do not add the correction" in panel.remarks.text()
     assert "18 mm at 100 m" in panel.remarks.text().replace("\u00a0", " ")
     qtbot.mouseClick(
         panel.current.applied, Left, pos=QPoint(8, panel.current.applied.height() // 2)
     )
-    assert rows(panel)["To enter"] != [0.125, 1.192, 0.276]
+    assert rows(panel)["New angles"] != [0.125, 1.192, 0.276]
     # Angles typed for one program are not taken for another's.
     choose(qtbot, panel, "novatel")
-    assert rows(panel)["Present"] == [0.0, 0.0, 0.0]
+    assert rows(panel)["Present angles"] == [0.0, 0.0, 0.0]
 
 
 def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> None:
@@ -158,8 +162,8 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     qtbot.mouseClick(current.matrix.viewport(), Left)
     qtbot.keyClicks(current.matrix, "; ".join(" ".join(f"{v:.10f}" for v in row) for row in turn))
     shown = rows(panel)
-    assert shown["Present"] == [0.1, 1.0, -3.0]
-    assert shown["To enter"] == [0.125, 1.192, 0.276]
+    assert shown["Present angles"] == [0.1, 1.0, -3.0]
+    assert shown["New angles"] == [0.125, 1.192, 0.276]
     # PDAL has no angles, so a matrix is all there is to give; what was given for another is gone.
     choose(qtbot, panel, "pdal")
     assert current.matrix.isVisible()
@@ -278,7 +282,7 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     assert panel.given.source.text() == f"Estimated boresight of {project.name}."
     np.testing.assert_array_equal(panel.given.mounting.boresight, project.result.boresight)
     roll, pitch, yaw = np.degrees(project.result.boresight)
-    np.testing.assert_allclose(rows(panel)["To enter"], [roll, -pitch, yaw], atol=0.01)
+    np.testing.assert_allclose(rows(panel)["New angles"], [roll, -pitch, yaw], atol=0.01)
     np.testing.assert_allclose(
         rows(panel)["± 1 σ"], np.degrees(project.result.sigma), rtol=0.05, atol=1e-4
     )

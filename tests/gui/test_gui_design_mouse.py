@@ -53,7 +53,7 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
         assert design.workspace.titled is found, "what was dragged is in this plan no more"
     driver.bot.mouseRelease(view, Left, pos=(spot + QPointF(60, -90)).toPoint())
     assert design.workspace.titled is found
-    assert str(design.workspace.history.to_undo) == "Best plan"
+    assert str(design.workspace.history.to_undo) == "best survey design"
     driver.bot.keyClick(design, Key.Key_Z, Control)
     assert design.workspace.titled is before
 

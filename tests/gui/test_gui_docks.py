@@ -1,4 +1,4 @@
-"""Panels that were moved, closed or made to float are arranged as at first, by the menu."""
+"""Panels that were moved, closed or made to float are arranged by default again, by the menu."""
 
 from pathlib import Path
 
@@ -46,7 +46,7 @@ def disturb(driver: Driver) -> None:
 
 
 def arrange(driver: Driver) -> None:
-    choose(driver.bot, open_menu(driver.bot, driver.window, "View"), "Panels", "Arrange")
+    choose(driver.bot, open_menu(driver.bot, driver.window, "View"), "Panels", "Restore default")
 
 
 def test_all_panels_go_back_to_their_first_places(driver: Driver) -> None:

@@ -55,7 +55,7 @@ def test_a_lasso_takes_points_from_a_sighting_and_gives_them_back(picked: Driver
     assert sizes(picked, "T1")[line] >= 0.99 * before[line]
     assert undo_text(picked).startswith("Undo addition of")
     outline(picked, points + 500.0)
-    assert "no points inside the outline" in window.log.toPlainText()
+    assert "inside the outline" in window.log.toPlainText()
     press(picked, Key.Key_Escape)
     assert view.mouse_mode == "navigate"
     window.actions_["undo"].trigger()
@@ -123,15 +123,15 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
         press(picked, Key.Key_F8)
 
     for step, words in (
-        (candidate, "pick of T3"),
-        (lambda: control.rename("T1", "Board"), "rename of T1"),
-        (lambda: control.rename("Board", "T1"), "rename of Board"),
+        (candidate, "detection of T3"),
+        (lambda: control.rename("T1", "Board"), "renaming of T1"),
+        (lambda: control.rename("Board", "T1"), "renaming of Board"),
         (role, "change of role of T1"),
         (role, "change of role of T1"),
         (lambda: control.use_target("T1", False), "exclusion of T1"),
         (lambda: control.use_sighting("T2", line, False), f"exclusion of T2 in {line}"),
         (lambda: control.use_line(line, False), f"exclusion of line {line}"),
-        (lambda: control.change_settings(settings), "change of the mounting"),
+        (lambda: control.change_settings(settings), "change of mounting settings"),
         (lambda: control.remove("V1"), "removal of V1"),
     ):
         count, before = stack.count(), picked.project
@@ -211,6 +211,6 @@ def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Drive
 
 def test_without_a_result_there_are_no_residuals(picked: Driver) -> None:
     picked.window.actions_["colour_residual"].trigger()
-    assert "Estimate first" in picked.window.log.toPlainText()
+    assert "Estimate the boresight first" in picked.window.log.toPlainText()
     assert picked.window.scene.colouring == "line"
     assert picked.window.actions_["colour_line"].isChecked()

@@ -16,7 +16,7 @@ def test_the_candidate_is_compared_with_what_is_expected(opened: Driver) -> None
     typed(opened, "expected_height", "1.22")
     seed(opened, "T1")
     detail = opened.window.targets.candidate.detail
-    assert "Size and inclination are as expected." in detail.text()
+    assert "Size and inclination agree with the expected values." in detail.text()
     click(opened, opened.window.targets.candidate.reject)
     typed(opened, "expected_tilt", "45")
     seed(opened, "T1")

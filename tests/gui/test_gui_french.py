@@ -99,7 +99,7 @@ def test_what_a_click_finds_and_an_edit_does(french: Driver, demo: Demo) -> None
     all_french(window)
     window.controller.accept()
     french.rest()
-    assert window.actions_["undo"].text() == "&Annuler\u00a0: désignation de T1"
+    assert window.actions_["undo"].text() == "&Annuler\u00a0: détection de T1"
     all_french(window)
 
 

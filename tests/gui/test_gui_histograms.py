@@ -81,7 +81,7 @@ def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPane
     driver.bot.mouseMove(panel.canvas, QPoint(2, 2))
     driver.bot.mouseMove(panel.canvas, place(panel, 0, middle, drawn.values[highest] / 2))
     driver.bot.waitUntil(lambda: "after" in panel.reading.text(), timeout=5000)
-    assert f"after {drawn.values[highest]:,.0f} points" in panel.reading.text()
+    assert f"{drawn.values[highest]:,.0f} points after" in panel.reading.text()
 
 
 @pytest.mark.parametrize("lengths", ["metres", "feet"])

@@ -77,7 +77,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     settle(adjusted)
     assert asked == ["natural planes", "targetless", "patch test"]
     assert [each.method for each in adjusted.project.opinions] == ["targetless", "patch test"]
-    assert adjusted.window.document.undo_stack.undoText() == "alternative methods"
+    assert adjusted.window.document.undo_stack.undoText() == "results of alternative methods"
     assert adjusted.project.result is before.result
     # It is told among the warnings, and taken back in one step.
     assert "report.methods_differ" in {each.code for each in listed(adjusted)}

@@ -92,7 +92,7 @@ def test_closing_with_changes_asks(
     before = replace(demo.project, folder=demo_copy)
     driver.window.document.open(before, demo.survey)
     target = demo.picked.target("T1")
-    driver.window.document.edit("pick of T1", before.with_target(target))
+    driver.window.document.edit("detection of T1", before.with_target(target))
     assert driver.window.isWindowModified()
     driver.dialogs.answer = answer
     assert driver.window.close() is closes

@@ -71,7 +71,7 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
     assert "roll 0." in sigmas
     names = [target.name for target in opened.project.targets]
     assert names == [row[0] for row in rows][1:]
-    assert opened.window.document.undo_stack.undoText() == "proposed targets"
+    assert opened.window.document.undo_stack.undoText() == "addition of proposed targets"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
 
@@ -189,4 +189,4 @@ def test_found_again_with_other_settings(picked: Driver) -> None:
     target = picked.project.target("T1")
     assert (target.threshold, target.radius) == (0.015, 1.5)
     assert not target.sighting(line).used
-    assert picked.window.document.undo_stack.undoText() == "pick of T1"
+    assert picked.window.document.undo_stack.undoText() == "detection of T1"

@@ -29,8 +29,8 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     picked.bot.waitUntil(lambda: shown(picked, "T1", line, Role.DecorationRole) is not None)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
     assert "m²" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert " % of what the other lines show" in shown(picked, "T1", line, Role.ToolTipRole)
-    assert "before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert " % of the extent in the other lines" in shown(picked, "T1", line, Role.ToolTipRole)
+    assert "Before the calibration" in shown(picked, "T1", line, Role.ToolTipRole)
     assert shown(picked, "T1", line).endswith("mm")
     steep = picked.project.target("T2").sightings[-1].line
     assert "Quality: doubtful" in shown(picked, "T2", steep, Role.ToolTipRole)
@@ -62,7 +62,7 @@ def test_after_the_calibration_they_are_judged_with_its_boresight(
     tip = shown(picked, "T1", line, Role.ToolTipRole)
     assert "Quality: good" in tip
     assert "prior boresight" not in tip
-    assert "Computed with the estimated boresight from " in tip
+    assert "Quality computed with the estimated boresight from " in tip
     # Leaving one out keeps the lights of the others while the new result is on its way.
     picked.window.controller.use_sighting("T1", line, False)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
@@ -97,7 +97,7 @@ def test_a_candidate_has_its_lights_before_it_is_accepted(opened: Driver) -> Non
     open_step(opened, 1)
     seed(opened, "T2")
     opened.bot.waitUntil(
-        lambda: not any("Quality is being determined" in tip for tip in lights(opened).values())
+        lambda: not any("The quality is being computed" in tip for tip in lights(opened).values())
     )
     opened.rest()
     told = lights(opened)

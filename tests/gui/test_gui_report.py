@@ -48,7 +48,7 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
         f"the {name}" for name in NAMES
     ]
     assert adjusted.project.result is before.result
-    assert adjusted.window.document.undo_stack.undoText() == "details for the report"
+    assert adjusted.window.document.undo_stack.undoText() == "change of report details"
     assert adjusted.window.document.is_modified
     adjusted.window.document.undo_stack.undo()
     assert adjusted.project is before
@@ -203,8 +203,8 @@ def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path
 
 
 CAPTIONS = (
-    "The lines placed with the prior boresight",
-    "The lines placed with the estimated boresight",
+    "Lines georeferenced with the prior boresight",
+    "Lines georeferenced with the estimated boresight",
 )
 
 
@@ -252,7 +252,7 @@ def test_an_edit_while_the_pictures_are_taken_ends_the_report(
 
     def edited_meanwhile() -> QImage:
         edited = adjusted.project.with_identity(Identity(vessel="Nordlys"))
-        adjusted.window.document.edit("details for the report", edited)
+        adjusted.window.document.edit("change of report details", edited)
         return taken()
 
     adjusted.viewport.picture = edited_meanwhile

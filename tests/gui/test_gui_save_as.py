@@ -33,7 +33,9 @@ def harbour(driver: Driver, demo: Demo, demo_copy: Path) -> Driver:
     save_project(before)
     driver.window.open_project(demo_copy)
     driver.rest()
-    driver.window.document.edit("pick of T1", driver.project.with_target(demo.picked.target("T1")))
+    driver.window.document.edit(
+        "detection of T1", driver.project.with_target(demo.picked.target("T1"))
+    )
     return driver
 
 

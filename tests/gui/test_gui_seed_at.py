@@ -81,7 +81,7 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     opened.window.activateWindow()  # no window manager does it here
     opened.bot.waitUntil(opened.window.isActiveWindow, timeout=WAIT_MS)
     press(opened, Key.Key_Return)
-    assert opened.window.document.undo_stack.undoText() == "pick of T1"
+    assert opened.window.document.undo_stack.undoText() == "detection of T1"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
 

@@ -82,7 +82,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     assert found[3][4]
     assert told == "Targets found: 3 (from 4 seeds). One undo step removes all of them."
     assert [target.name for target in opened.project.targets] == names[:3]
-    assert opened.window.document.undo_stack.undoText() == "seeds of quay.csv"
+    assert opened.window.document.undo_stack.undoText() == "addition of targets from quay.csv"
     opened.window.document.undo_stack.undo()
     assert opened.project is before
 

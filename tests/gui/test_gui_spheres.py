@@ -39,16 +39,16 @@ def accepted(driver: Driver) -> Project:
     return driver.project
 
 
-@pytest.mark.parametrize(("radius", "said"), [(0.15, "Radius 0.15 m (known)"), (0.0, "Radius 0.1")])
+@pytest.mark.parametrize(("radius", "said"), [(0.15, "Known radius: 0.15 m"), (0.0, "Radius: 0.1")])
 def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, said):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(radius)
     assert panel._threshold.specialValueText() == "default (30\u00a0mm)"
     seed(opened, balls, "S1")
-    assert "RMS from their spheres" in detail(opened)
+    assert "RMS distance to the sphere" in detail(opened)
     assert said in detail(opened)
-    assert "% of the surface seen" in detail(opened)
+    assert "% of the surface is observed" in detail(opened)
     target = accepted(opened).target("T1")
     assert (target.shape, target.sphere_radius) == ("sphere", radius or None)
     assert panel.table.item(0, 2).text() == "sphere"
@@ -62,7 +62,7 @@ def test_the_radius_of_a_ball_is_told_in_the_unit_shown(opened, balls):
     units.show_in("degrees", "feet")
     try:
         seed(opened, balls, "S1")
-        assert f"Radius {0.15 / 0.3048:g} ft (known)" in detail(opened)
+        assert f"Known radius: {0.15 / 0.3048:g} ft" in detail(opened)
         assert " m " not in detail(opened)
     finally:
         units.show_in("degrees", "metres")

@@ -95,13 +95,13 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
         assert each.get_aspect() == 1.0
         lines = {drawn.get_gid() for drawn in each.lines} - {"bar"}
         assert lines == set(window.document.survey.lines)
-    apart = [float(each.get_title(loc="left").split()[3]) for each in axes]
+    apart = [float(each.get_title(loc="left").split()[4]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == frame_of(cuts[0].section)
     panel.laid.setCurrentIndex(1)
     adjusted.rest()
-    assert panel.canvas.figure.axes[0].get_xlabel() == "To the right (m)"
+    assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"
     panel.size.setValue(5.0)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlim() == (-2.5, 2.5)
@@ -246,7 +246,10 @@ def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
     points = np.concatenate(list(window.scene.selected_points.values()))
     assert len(view.box.inside(points)) == len(points)
     assert not len(box.inside(points))
-    assert window.task_bar.currentMessage() == "The clip box hid T2 and was moved around it."
+    assert (
+        window.task_bar.currentMessage()
+        == "T2 was outside the clip box. The clip box was moved around it."
+    )
     window.warning_list.follow(Cause.of_line(picked.project.lines[1].name))
     sample = window.scene.clouds[picked.project.lines[1].name].sample[::50]
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
@@ -273,7 +276,7 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
 
 def test_nothing_to_compare_is_said(picked: Driver) -> None:
     press(picked, Key.Key_W)
-    assert "Estimate first" in picked.window.log.toPlainText()
+    assert "Estimate the boresight first" in picked.window.log.toPlainText()
     assert picked.viewport.beside is None
     assert not picked.window.actions_["wipe"].isChecked()
 
@@ -290,7 +293,7 @@ def test_the_resting_mouse_shows_what_a_click_would_take(picked: Driver) -> None
         board - board.mean(axis=0), axis=1))])  # fmt: skip
     view.signals.hovered.emit(PickedPoint(sighting.line, (north, west, up)))
     sketch = view.sketches["hover"]
-    assert re.fullmatch(rf"About 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
+    assert re.fullmatch(rf"Plane of about 1\.[12] × 1\.[12] m in {sighting.line}", sketch.label)
     outline = np.array(sketch.points)
     # It is the outline of what was picked by a click there.
     np.testing.assert_allclose(outline.min(axis=0), board.min(axis=0), atol=0.08)

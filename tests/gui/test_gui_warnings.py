@@ -106,7 +106,7 @@ def test_a_click_on_a_sighting_selects_its_cell_and_shows_it(picked: Driver) -> 
     line = picked.project.target("T1").sightings[0].line
     click_row(picked, row_of(picked, "The sighting has only 40 points."))
     window = picked.window
-    assert in_front(picked, "Targets by lines")
+    assert in_front(picked, "Targets by line")
     assert has_focus(window.table)
     assert window.table.sightings.key(window.table.currentIndex()) == ("T1", line)
     assert window.scene.selected == ("T1", line)

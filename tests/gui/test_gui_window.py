@@ -63,7 +63,7 @@ def test_escape_rejects_and_leaves_nothing(opened: Driver):
 def test_a_pick_is_one_undo_step(opened: Driver):
     seed(opened, "T1")
     click(opened, opened.window.targets.candidate.accept)
-    assert opened.window.actions_["undo"].text() == "&Undo pick of T1"
+    assert opened.window.actions_["undo"].text() == "&Undo detection of T1"
     press(opened, Key.Key_Z, Control)
     assert opened.project.targets == ()
     assert opened.window.table.sightings.rowCount() == 0
@@ -325,7 +325,7 @@ def test_validate_fills_the_histograms_and_the_report_holds_the_numbers(
     assert picked.project.validation[0].model == LocalModel("quadric", 12)
     assert "local quadric through 12 points" in panel.table.item(0, 0).toolTip()
     assert picked.window.document.undo_stack.undoText() == (
-        "validation, local quadric through 12 points"
+        "validation with local quadrics through 12 points"
     )
     # The fields follow the figures that are shown.
     picked.window.document.undo_stack.undo()

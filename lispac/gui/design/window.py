@@ -80,7 +80,7 @@ ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
                 N_("Compare the standard deviations of the open project with those predicted for "
                    "the survey plan")),
     "cancel": (N_("&Cancel the running task"), N_("Cancel"), "close-circle-outline", "Ctrl+.",
-               N_("Stop the running task; nothing is changed")),
+               N_("Cancel the running task; the project stays unchanged")),
     "keys": (N_("&Mouse and keys"), N_("Mouse and keys"), "keyboard-outline", "F1",
              N_("Show the mouse and keyboard actions")),
 }  # fmt: skip

@@ -31,7 +31,7 @@ UNITS = (("cm", 100.0), ("m", 1.0))
 MODELS: tuple[tuple[PosErrors, str, str], ...] = (
     (
         "correlated",
-        N_("Correlated in time"),
+        N_("POS errors correlated in time"),
         N_(
             "The POS error drifts slowly, and neighbouring points share it. The standard "
             "deviations are realistic."
@@ -89,13 +89,13 @@ class AdjustPanel(QWidget):
         self.model = ModelSettings()
         self.advanced = Fold(gettext("Advanced"), "fold_advanced", self.model)
         layout.addWidget(self.advanced)
-        self.cross_check = QCheckBox(gettext("Cross-check with parts of the data"))
+        self.cross_check = QCheckBox(gettext("Cross-check with subsets of the data"))
         self.cross_check.setObjectName("cross_check")
         self.cross_check.setChecked(True)
         self.cross_check.setToolTip(
             gettext(
-                "Repeat the adjustment without each line and each target, and with each half of "
-                "the survey"
+                "Repeat the adjustment with one line or one target omitted at a time, and with "
+                "each half of the survey"
             )
         )
         layout.addWidget(self.cross_check)
@@ -216,11 +216,11 @@ class AdjustPanel(QWidget):
         """How many points of the sightings are used, as rich text."""
         kept, total, count, reason = self._counted
         if not count:
-            return gettext("No points: there is no target yet.")
+            return gettext("No targets yet: there are no points to adjust.")
         points, sightings = gettext(POINTS, count=total), gettext(SIGHTINGS, count=count)
         if reason:  # shown below the button, too
             return gettext(
-                "{points} in {sightings}: not enough for an adjustment.",
+                "{points} in {sightings} are not enough for an adjustment.",
                 points=points, sightings=sightings,
             )  # fmt: skip
         if kept is None:
@@ -229,7 +229,7 @@ class AdjustPanel(QWidget):
             )
         if (used := self._used_points()) is not None:
             return gettext(
-                "<b>{points}</b> used, in {sightings}.",
+                "Used in the adjustment: <b>{points}</b> in {sightings}.",
                 points=gettext(POINTS, count=used), sightings=sightings,
             )  # fmt: skip
         if kept == total:
@@ -239,7 +239,7 @@ class AdjustPanel(QWidget):
             )  # fmt: skip
         # About: Estimate selects the points again with the estimated boresight
         return gettext(
-            "About <b>{kept:n}</b> of {points} are used, in {sightings}.",
+            "About <b>{kept:n}</b> of {points} in {sightings} are used.",
             kept=round(kept, 2 - len(str(kept))), points=points, sightings=sightings,
         )  # fmt: skip
 
@@ -285,7 +285,8 @@ class AdjustPanel(QWidget):
         self.distance = widgets.number(
             "subsample", suffix="", decimals=1, low=0, high=1000, step=1,
             tip=gettext(
-                "Points of a sighting closer together than this are thinned; 0 keeps all points"
+                "Minimum spacing to which the points of each sighting are thinned; 0 uses all "
+                "points"
             ),
         )  # fmt: skip
         self.distance.setSpecialValueText(gettext("all points"))

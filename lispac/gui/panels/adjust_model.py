@@ -18,23 +18,23 @@ from lispac.messages import error
 from lispac.project import Settings
 
 TIMES = N_(
-    "How long the POS error stays correlated: minutes for the position, longer for the attitude. "
-    "Use the correlation times of the processing report where it gives them. A time that is too "
-    "short is safer than one that is too long."
+    "Time over which the POS error stays correlated: minutes for the position, longer for the "
+    "attitude. Take it from the processing report of the trajectory. If in doubt, a shorter "
+    "time is safer."
 )
 LOSSES: tuple[tuple[LossName | None, str, str], ...] = (
     (
         None,
         N_("Automatic"),
-        N_("Tukey with correlated POS errors, full weight with uncorrelated ones"),
+        N_("Tukey weights if the POS errors are correlated, full weight if they are uncorrelated"),
     ),
     ("none", N_("Full weight"), N_("Every point keeps its full weight")),
     (
         "huber",
         N_("Reduced weight (Huber)"),
-        N_("The weight decreases beyond 1.3 σ and never reaches zero"),
+        N_("The weight of a point decreases if its residual exceeds 1.3 σ, but never reaches zero"),
     ),
-    ("tukey", N_("No weight (Tukey)"), N_("Points beyond 4.7 σ have no weight")),
+    ("tukey", N_("No weight (Tukey)"), N_("Points with a residual above 4.7 σ have zero weight")),
 )
 """Name, title and description of each loss."""
 LOSS_SUMMARIES: dict[LossName, str] = {
@@ -42,7 +42,7 @@ LOSS_SUMMARIES: dict[LossName, str] = {
     "huber": N_("Huber"),
     "tukey": N_("Tukey"),
 }
-NOISES = (N_("Same on all axes"), N_("Along X, Y, Z"), N_("Range and angle"))
+NOISES = (N_("One value for all axes"), N_("One value per axis"), N_("Range and angle noise"))
 NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR noise of range and angle"))
 _MM, _DEG = 1e3, float(np.degrees(1.0))
 
@@ -82,21 +82,21 @@ class ModelSettings(QWidget):
         self.attitude_time = self._time(
             "attitude_time", gettext("Correlation time of the attitude error of the POS")
         )
-        form.addRow(gettext("Position time"), self.position_time)
-        form.addRow(gettext("Attitude time"), self.attitude_time)
+        form.addRow(gettext("Correlation, position"), self.position_time)
+        form.addRow(gettext("Correlation, attitude"), self.attitude_time)
         self.times = _WrappedText(gettext(TIMES), "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional(
-            "surface", gettext("Surface roughness"), "mm", _MM, gettext("from the data"),
+            "surface", gettext("Surface roughness"), "mm", _MM, gettext("estimated"),
             gettext(
-                "Standard deviation of a target's surface in one line from the surface common to "
-                "all lines"
+                "Standard deviation of the surface of a target in one line from its common "
+                "surface in all lines"
             ),
         )  # fmt: skip
         form.addRow(gettext("Roughness, {unit}", unit=units.unit("mm").sign), self.surface)
         self.loss = widgets.Choice(
             "loss", [gettext(title) for _, title, _ in LOSSES],
-            gettext("Weight of points that lie far from their surface"),
+            gettext("Weight of outliers: points far from the surface of their target"),
         )  # fmt: skip
         for k, (_, _, tip) in enumerate(LOSSES):
             self.loss.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
@@ -104,7 +104,8 @@ class ModelSettings(QWidget):
         form.addRow(gettext("Outliers"), self.loss)
         self.noise = widgets.Choice(
             "lidar_noise", [gettext(noise) for noise in NOISES],
-            gettext("How the noise of a LiDAR point is given"),
+            gettext("Model of the LiDAR noise: one value, one value per axis, or range and "
+                    "angle"),
         )  # fmt: skip
         self.noise.currentIndexChanged.connect(self._show_noise)
         form.addRow(gettext("LiDAR noise"), self.noise)
@@ -136,8 +137,9 @@ class ModelSettings(QWidget):
         self.components.setObjectName("variance_components")
         self.components.setToolTip(
             gettext(
-                "Scale the standard deviations of LiDAR, POS position and POS attitude to the "
-                "residuals. With few sightings the scale of the POS is uncertain."
+                "Estimate from the residuals a scale factor for the standard deviations of "
+                "LiDAR, POS position and POS attitude. With few sightings, the factors of the "
+                "POS are uncertain."
             )
         )
         self.components.toggled.connect(self.changed)
@@ -146,9 +148,10 @@ class ModelSettings(QWidget):
         self.one_facing.setObjectName("accept_one_facing")
         self.one_facing.setToolTip(
             gettext(
-                "For targets that all hang on one wall, or a single target. Only the headings of "
-                "the lines then separate the angles, and a bent or moved target is not detected. "
-                "A target with another inclination, or a sphere, is better."
+                "Tick this if all targets are on one wall, or if there is only one target. The "
+                "angles are then separated only by the headings of the lines, and a bent or "
+                "moved target is not detected. A target with another inclination, or a sphere, "
+                "is better."
             )
         )
         self.one_facing.toggled.connect(self.changed)
@@ -216,11 +219,11 @@ class ModelSettings(QWidget):
         if loss := LOSSES[self.loss.currentIndex()][0]:
             settings.append(gettext(LOSS_SUMMARIES[loss]))
         if self.surface.text().strip():
-            settings.append(gettext("roughness given"))
+            settings.append(gettext("given surface roughness"))
         if self.components.isChecked():
-            settings.append(gettext("variance components"))
+            settings.append(gettext("variance components estimated"))
         if self.one_facing.isChecked():
-            settings.append(gettext("one facing accepted"))
+            settings.append(gettext("targets of one orientation accepted"))
         return ", ".join(settings)
 
     def _all(self, fields, code: str):

@@ -80,9 +80,9 @@ _LIMITS_AND_TEXTS = {
 }  # fmt: skip
 """Largest value that can be typed, short title, summary, title of the prior sigma, tooltip."""
 PRIOR_TIPS = {
-    "range_offset": N_("Prior range offset, also used where it is not estimated"),
-    "scan_angle_offset": N_("Prior scan-angle offset, also used where it is not estimated"),
-    "latency": N_("Prior latency, also used where it is not estimated"),
+    "range_offset": N_("Prior range offset. It is also applied if it is not estimated."),
+    "scan_angle_offset": N_("Prior scan-angle offset. It is also applied if it is not estimated."),
+    "latency": N_("Prior latency. It is also applied if it is not estimated."),
 }
 TITLES = {
     "lever_x": N_("Lever arm X"),
@@ -206,7 +206,7 @@ class ParameterSwitches(QWidget):
             shown = widgets.label("")
             shown.setFont(theme.tabular(shown.font()))
             shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            shown.setToolTip(gettext("As given in step 1"))
+            shown.setToolTip(gettext("Lever arm given in step 1"))
             self._lever[kind.name] = shown
             return shown
         field = widgets.number(

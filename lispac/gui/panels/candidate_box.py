@@ -14,21 +14,21 @@ from lispac.project import Project, Role, Shape, Target
 from lispac.workflow.survey import Survey
 
 TITLES: dict[Role, tuple[str, str]] = {
-    "target": (N_("Target {name}"), N_("Target {name} (replaces the present one)")),
+    "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
     "validation": (
         N_("Validation plane {name}"),
-        N_("Validation plane {name} (replaces the present one)"),
+        N_("Validation plane {name} (replaces the existing plane)"),
     ),
 }
 """Titles of a new target and of one with a known name."""
 FOUND: dict[Shape, str] = {
     "plane": N_(
-        "Found on {found:n} of {lines:n} lines: {points:n} points, at most {rms} RMS from their "
-        "planes."
+        "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the plane "
+        "at most {rms}."
     ),
     "sphere": N_(
-        "Found on {found:n} of {lines:n} lines: {points:n} points, at most {rms} RMS from their "
-        "spheres."
+        "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the sphere "
+        "at most {rms}."
     ),
 }
 
@@ -88,7 +88,7 @@ class CandidateBox(QFrame):
         if candidate.expected is not None and survey is not None:
             sentences.append(_comparison_text(candidate, survey))
         if candidate.missing:
-            sentences.append(gettext("Not found on {lines:names}.", lines=list(candidate.missing)))
+            sentences.append(gettext("Not found in {lines:names}.", lines=list(candidate.missing)))
         self.detail.setText(" ".join(sentences))
         self.detail.setToolTip(
             widgets.plain_tip(
@@ -110,17 +110,17 @@ def _comparison_text(target: Target, survey: Survey) -> str:
 
     differences = unexpected(target, survey)
     if not differences:
-        return gettext("Size and inclination are as expected.")
+        return gettext("Size and inclination agree with the expected values.")
     line, reasons = next(iter(differences.items()))
     text = gettext(
-        "Not as expected on {line}: {reasons}",
+        "Differs from the expected size or inclination in {line}: {reasons}",
         line=line,
         reasons=" ".join(map(message_text, reasons)),
     )
     if len(differences) == 1:
         return text
     others = Plural(
-        "{count:n} other line differs as well.", "{count:n} other lines differ as well."
+        "It also differs in {count:n} other line.", "It also differs in {count:n} other lines."
     )
     return f"{text} {gettext(others, count=len(differences) - 1)}"
 
@@ -134,14 +134,14 @@ def _spheres_text(target: Target, survey: Survey) -> str:
     shares = [patch.share for patch in patches]
     if target.sphere_radius is not None:
         return gettext(
-            "Radius {radius} (known). {lowest:percent.0} to {highest:percent.0} % of the surface "
-            "seen.",
+            "Known radius: {radius}. {lowest:percent.0} to {highest:percent.0} % of the "
+            "surface is observed.",
             radius=units.local_amount(target.sphere_radius, "m", "g"),
             lowest=min(shares), highest=max(shares),
         )  # fmt: skip
     return gettext(
-        "Radius {smallest} to {largest}. {lowest:percent.0} to {highest:percent.0} % of the "
-        "surface seen.",
+        "Radius: {smallest} to {largest}. {lowest:percent.0} to {highest:percent.0} % of the "
+        "surface is observed.",
         smallest=units.local_amount(min(radii), "m", ".3f"),
         largest=units.local_amount(max(radii), "m", ".3f"),
         lowest=min(shares), highest=max(shares),

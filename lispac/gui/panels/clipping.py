@@ -16,7 +16,7 @@ HINT = N_(
 NO_BOX = "–"
 """Shown instead of the lengths where there is no box."""
 LENGTHS = (
-    ("depth", N_("Depth"), N_("Length of the box across the target")),
+    ("depth", N_("Depth"), N_("Length of the box perpendicular to the target")),
     ("width", N_("Width"), N_("Length of the box along the target")),
     ("height", N_("Height"), N_("Height of the box")),
 )
@@ -50,7 +50,7 @@ class ClippingPanel(QWidget):
         column.addLayout(form)
         row = QHBoxLayout()
         self.about = widgets.button(
-            gettext("Around the selection"), "clip_about",
+            gettext("Place around selection"), "clip_about",
             tip=gettext("Place the box around the selected target"),
         )  # fmt: skip
         self.reset = widgets.button(

@@ -51,19 +51,22 @@ _COLOURS: dict[Status, str] = {
     "unverified": "error",
 }
 _STATUSES: dict[Status, tuple[str, str]] = {
-    "verified": (N_("Verified"), N_("{program} (verified)")),
-    "partly": (N_("Partly verified"), N_("{program} (partly verified)")),
-    "unverified": (N_("Not verified"), N_("{program} (not verified)")),
+    "verified": (N_("Convention verified"), N_("{program} (verified)")),
+    "partly": (N_("Convention partly verified"), N_("{program} (partly verified)")),
+    "unverified": (N_("Convention not verified"), N_("{program} (not verified)")),
 }
 """Title of each status, and a program with it."""
 _FORMULAS: dict[Direction, str] = {
-    "lidar_to_body": N_("{formula}, from LiDAR to body."),
-    "body_to_lidar": N_("{formula}, from body to LiDAR."),
+    "lidar_to_body": N_("Rotation from LiDAR to body: {formula}."),
+    "body_to_lidar": N_("Rotation from body to LiDAR: {formula}."),
 }
 _SCANNER_AXES: dict[Scanner, tuple[str, str]] = {
     "turned": (N_("parallel to the body axes"), N_("parallel to the body axes (usual)")),
     "kept": (N_("as in the raw points"), N_("as in the raw points (usual)")),
-    "mounted": (N_("rotated by a mounting"), N_("rotated by a mounting (usual)")),
+    "mounted": (
+        N_("rotated to the mounting orientation"),
+        N_("rotated to the mounting orientation (usual)"),
+    ),
 }
 """Orientation of the scanner axes, and the same where it is the usual one of the program."""
 
@@ -145,8 +148,8 @@ class ConventionPanel(QWidget):
         self.scanner.setObjectName("convention_scanner")
         self.scanner.setToolTip(
             gettext(
-                "Orientation of the scanner axes in that program, relative to those of the raw "
-                "points"
+                "Orientation of the scanner axes in that program, relative to the axes of the "
+                "raw points"
             )
         )
         self.scanner.setMinimumContentsLength(16)
@@ -170,7 +173,7 @@ class ConventionPanel(QWidget):
         self.copy.clicked.connect(lambda: QApplication.clipboard().setText(self._all_digits))
         self.copy_angles = widgets.button(
             gettext("Copy angles"), "convention_copy_angles", icon="content-copy",
-            tip=gettext("Copy the angles to the clipboard, one per line with its name"),
+            tip=gettext("Copy the angles with their names to the clipboard, one per row"),
         )  # fmt: skip
         self.copy_angles.clicked.connect(lambda: QApplication.clipboard().setText(self._all_angles))
         row = QHBoxLayout()
@@ -223,7 +226,7 @@ class ConventionPanel(QWidget):
         self.assumption.show()
         for widget in (self.table, self.remarks, self.lever, self.rules, self.matrix):
             widget.setVisible(False)
-        self.values_head.setText(gettext("No values"))
+        self.values_head.setText(gettext("No angles computed"))
         for button in (self.copy, self.copy_angles):
             button.setEnabled(False)
 
@@ -250,7 +253,7 @@ class ConventionPanel(QWidget):
             rules.append(str(setup.scanner_axes(mounting.rotation_body_lidar)))
         self.rules.setText(" ".join(rules))
         self.imu.show_z(z)
-        title = gettext("Assumed:")
+        title = gettext("Assumption:")
         self.assumption.setText(f"<b>{title}</b> {setup.assumption}")
         self.assumption.setVisible(setup.assumption is not None)
 
@@ -265,7 +268,9 @@ class ConventionPanel(QWidget):
         self.copy_angles.setEnabled(stated.angles is not None)
         self.table.setVisible(convention.has_angles)
         if stated.angles is None:
-            self.values_head.setText(gettext("This program takes a matrix: see below"))
+            self.values_head.setText(
+                gettext("This program uses a matrix instead of angles: see below")
+            )
             self.remarks.setVisible(correction is not None)
             if correction is not None:
                 self.remarks.setText(_matrix_text(correction.rotation, new.transform))
@@ -273,17 +278,17 @@ class ConventionPanel(QWidget):
             self.values_head.setText(
                 gettext("Angles to enter, degrees")
                 if sure
-                else gettext("Angles if the assumption holds, degrees")
+                else gettext("Angles to enter if the assumption is correct, degrees")
             )
             decimals = 4 if stated.note is None else 8
-            title = gettext("To enter") if sure else gettext("If it holds")
+            title = gettext("New angles") if sure else gettext("Assumed angles")
             last = (title, stated.angles, "+", True)
             rows: list[tuple[str, np.ndarray, str, bool]] = [last]
             if correction is not None:
                 assert correction.current is not None
                 assert correction.correction is not None
                 rows = [
-                    (gettext("Present"), correction.current, "+", False),
+                    (gettext("Present angles"), correction.current, "+", False),
                     (gettext("Correction"), correction.correction, "+", False),
                     last,
                 ]
@@ -298,7 +303,7 @@ class ConventionPanel(QWidget):
         ]
         if new.present is not None and new.present.lever_arm is not None:
             present = _lever_arm_text(setup.axes, new.present.lever_arm)
-            texts.append(gettext("Present: {lever_arm}", lever_arm=present))
+            texts.append(gettext("Present lever arm: {lever_arm}", lever_arm=present))
             texts += map(message_text, filter(None, [new.lever_arm_note]))
         self.lever.setText("<br>".join(texts))
 
@@ -308,7 +313,10 @@ class ConventionPanel(QWidget):
         lines = [f"{signs[:1].upper()}{signs[1:]}."]
         if correction is not None:
             lines.append(
-                gettext("Multiply the correction from the left: new = correction · present.")
+                gettext(
+                    "Multiply the present matrix by the correction from the left: new = "
+                    "correction · present."
+                )
             )
             error = correction.sum_error
             if error > SUM_MATTERS:
@@ -334,7 +342,7 @@ class ConventionPanel(QWidget):
     def _show_matrix(self, stated: MountingInSystem) -> None:
         name = program_name(stated.setup.convention)
         self.matrix_head.setText(
-            gettext("Scanner to body in {program}, with the lever arm", program=name)
+            gettext("Matrix from scanner to body in {program}, with the lever arm", program=name)
         )
         self.matrix.setPlainText(_rows(stated.transform, 7))
         self._all_digits = _rows(stated.transform, 12)
@@ -343,7 +351,7 @@ class ConventionPanel(QWidget):
 
 def _matrix_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
     text = gettext(
-        "The matrix below replaces the present one: new = correction · present. Correction:"
+        "The matrix below replaces the present matrix: new = correction · present. Correction:"
     )
     return f"{text}<br>{_code(rotation if transform is None else transform)}"
 
@@ -351,8 +359,8 @@ def _matrix_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
 def _sum_error_text(error: float) -> str:
     """Warning that the sum of the angles is wrong by so many radians."""
     return gettext(
-        "<b>Do not add the angles.</b> Their sum would be wrong by {angle}, or {distance} at "
-        "{range}.",
+        "<b>Do not add the correction to the present angles.</b> The sum would be wrong by "
+        "{angle}, which is {distance} at {range}.",
         angle=units.local_amount(float(np.degrees(error)), "°", ".4f"),
         distance=units.local_amount(error * 1e5, "mm", ".0f"),
         range=units.local_amount(100.0, "m", ".0f"),

@@ -24,9 +24,9 @@ from lispac.survey.georeferencing import Mounting
 
 USER_DEFINED = N_("User-defined values.")
 MEANINGS = (
-    N_("Positive with the left side up"),
-    N_("Positive with the bow down"),
-    N_("Positive clockwise seen from above"),
+    N_("Roll is positive with the port side up"),
+    N_("Pitch is positive with the bow down"),
+    N_("Yaw is positive clockwise seen from above"),
 )
 """Signs of roll, pitch and yaw."""
 TRANSLATED_PROGRAMS = (
@@ -80,10 +80,10 @@ class GivenBoresight(QWidget):
         layout.addWidget(self.boresight)
         layout.addWidget(self.lever_arm)
         self.take = widgets.button(
-            gettext("Take from the project"), "convention_take",
+            gettext("Use project values"), "convention_take",
             tip=gettext(
-                "Take the estimated boresight of the project, or the prior one where there is no "
-                "estimate"
+                "Use the estimated boresight of the project, or the prior boresight if nothing "
+                "has been estimated"
             ),
         )  # fmt: skip
         self.take.clicked.connect(self._take)
@@ -134,7 +134,7 @@ class CurrentSettings(QWidget):
         self.known = QCheckBox(gettext("Correct the present settings"))
         self.known.setObjectName("convention_has_current")
         self.known.setToolTip(
-            gettext("Enter the present settings of that program to get the correction")
+            gettext("Enter the present settings of that program to compute their correction")
         )
         layout.addWidget(self.known)
         self._box = QWidget()
@@ -151,7 +151,7 @@ class CurrentSettings(QWidget):
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
-        self.as_matrix = QCheckBox(gettext("Enter them as a matrix"))
+        self.as_matrix = QCheckBox(gettext("Enter settings as a matrix"))
         self.as_matrix.setObjectName("convention_as_matrix")
         self.as_matrix.setToolTip(
             gettext("Paste the present matrix of that program instead of its angles")
@@ -168,7 +168,7 @@ class CurrentSettings(QWidget):
         )
         self.matrix.setPlaceholderText("1 0 0\n0 1 0\n0 0 1")
         inner.addWidget(self.matrix)
-        self.applied = QCheckBox(gettext("Already applied to the lines"))
+        self.applied = QCheckBox(gettext("Settings already applied to the lines"))
         self.applied.setObjectName("convention_applied")
         self.applied.setToolTip(
             gettext(

@@ -82,7 +82,8 @@ class DataPanel(QWidget):
         self.apply = widgets.button(
             gettext("Apply"), "apply_mounting", primary=True,
             tip=gettext(
-                "Place the lines with these values; results from the previous ones are discarded"
+                "Georeference the lines with these values; the results from the previous "
+                "values are discarded"
             ),
         )  # fmt: skip
         self.revert = widgets.button(
@@ -96,7 +97,8 @@ class DataPanel(QWidget):
         self.details = widgets.button(
             gettext("Details for the report…"), "data_details",
             icon="card-account-details-outline",
-            tip=gettext("Surveyor, vessel, instruments and dates for page one of the report"),
+            tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
+                        "the report"),
         )  # fmt: skip
         self.details.clicked.connect(self.details_asked)
         filled.addWidget(self.details)
@@ -221,8 +223,8 @@ class _EmptyState(QWidget):
         layout.addWidget(
             widgets.label(
                 gettext(
-                    "A project holds a trajectory (SBET), its accuracies and one raw scan file for "
-                    "each line."
+                    "A project contains a trajectory (SBET), its accuracies and one raw scan "
+                    "file for each line."
                 ),
                 "hint", wrap=True,
             )

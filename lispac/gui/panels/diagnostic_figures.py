@@ -15,7 +15,7 @@ from lispac.language import N_, gettext
 MARKERS = ("o", "s", "^")
 """One for each angle, so that colours are not needed to distinguish them."""
 TEXT, SMALL = 9, 8
-DIRECTIONS = (N_("weakest"), N_("middle"), N_("strongest"))
+DIRECTIONS = (N_("weakest direction"), N_("middle direction"), N_("strongest direction"))
 SMALLEST_DEG = 1e-12
 """Smaller differences are rounding errors; the limit keeps the logarithm finite."""
 
@@ -44,7 +44,8 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     axes.set_yscale("log")
     axes.set_xlabel(gettext("Iteration"), fontsize=TEXT)
     axes.set_ylabel(
-        gettext("Difference from the last value, {unit}", unit=units.local_sign("°")), fontsize=TEXT
+        gettext("Difference from the final value, {unit}", unit=units.local_sign("°")),
+        fontsize=TEXT,
     )
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="lower left")
@@ -141,7 +142,7 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
-    axes.set_xlabel(gettext("Share of each angle in the direction, %"), fontsize=TEXT)
+    axes.set_xlabel(gettext("Contribution of each angle to the direction, %"), fontsize=TEXT)
 
 
 def short_title(name: str) -> str:

@@ -25,8 +25,8 @@ from lispac.project import Project
 
 NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
 NOT_WITH_CLASSICAL = N_(
-    "Not available with uncorrelated POS errors. Choose “Correlated in time” in step 3 and press "
-    "Estimate."
+    "Not available with uncorrelated POS errors. Choose “POS errors correlated in time” in "
+    "step 3 and press Estimate."
 )
 
 
@@ -125,7 +125,7 @@ class Convergence(FigurePage):
         """Whether there was only one iteration."""
         if len(result.path) > 1:
             return ""
-        return N_("The adjustment took one iteration. There is nothing to plot.")
+        return N_("The adjustment converged in one iteration. There is nothing to plot.")
 
 
 class Correlations(FigurePage):
@@ -259,7 +259,8 @@ class Checks(Page):
 
     title = N_("Cross-checks")
     without_result = N_(
-        "Nothing estimated yet. Press Estimate in step 3 to see the results from parts of the data."
+        "Nothing estimated yet. Press Estimate in step 3 to see the results from subsets of "
+        "the data."
     )
 
     def __init__(self) -> None:
@@ -270,8 +271,8 @@ class Checks(Page):
         self.spread = widgets.label("", name="cross_check_spread", rich=True)
         self.spread.setToolTip(
             gettext(
-                "Formal σ, and spread of the results with one line or one target omitted at a "
-                "time. The spread needs at least three results."
+                "Formal σ compared with the spread of the results with one line or one target "
+                "omitted at a time. The spread needs at least three results."
             )
         )
         self.spread.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -287,8 +288,9 @@ class Checks(Page):
         if project.cross_checks is not None:
             return ""
         return N_(
-            "Not cross-checked. Tick “Cross-check with parts of the data” in step 3 and press "
-            "Estimate. The cross-checks then follow each change of the sightings."
+            "Not cross-checked. Tick “Cross-check with subsets of the data” in step 3 and "
+            "press Estimate. The cross-checks are then repeated after each change of the "
+            "sightings."
         )
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:

@@ -26,7 +26,7 @@ from lispac.report.diagnostics import cross_checked
 from lispac.report.wording import named_parts
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
-FOLLOW = N_("Double-click or press Enter to go to its points in the view")
+FOLLOW = N_("Double-click or press Enter to show the points of this row in the view")
 ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 
 
@@ -49,26 +49,26 @@ def sighting_columns() -> tuple[Column, ...]:
         ),
         Column(
             gettext("Shift ({unit})", unit=mm),
-            gettext("Offset of the sighting from the surface that all other sightings give"),
+            gettext("Shift of the sighting from the surface fitted to all other sightings"),
             base="mm",
         ),
         Column("w", gettext("Shift divided by its standard deviation (Baarda's test)")),
         Column(
-            gettext("Detectable ({unit})", unit=mm),
+            gettext("Detectable shift ({unit})", unit=mm),
             gettext("Smallest shift that the test detects with a power of 80 %"),
             base="mm",
         ),
         Column(
-            gettext("Effect ({unit})", unit=mdeg),
-            gettext("Largest change of an angle due to an undetected shift of that size"),
+            gettext("Effect on angles ({unit})", unit=mdeg),
+            gettext("Largest change of an angle that an undetected shift of this size can cause"),
             base="m°",
         ),
         Column(
             gettext("Outliers"),
-            gettext("Points with a test value beyond {limit:x.2}", limit=CRITICAL),
+            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL),
         ),
         Column(
-            gettext("Largest point w"),
+            gettext("Largest w of a point"),
             gettext(
                 "Largest test value of a point, and its time in the line. For averaged points: "
                 "the mean of their times."
@@ -88,7 +88,7 @@ def sighting_columns() -> tuple[Column, ...]:
             gettext("Estimated attitude error and its prior σ (3D lengths)"),
             base="m°",
         ),
-        Column(gettext("Remark"), gettext("What to check"), True),
+        Column(gettext("Remark"), gettext("Finding that should be checked"), True),
     )
 
 
@@ -98,7 +98,7 @@ def target_columns() -> tuple[Column, ...]:
     return (
         Column(gettext("Target"), gettext("Target"), True),
         Column(gettext("Shape"), gettext("Plane or sphere"), True),
-        Column(gettext("Lines"), gettext("Lines in which the target was seen")),
+        Column(gettext("Lines"), gettext("Number of lines with a sighting of the target")),
         Column(gettext("Points"), gettext("Points used, after averaging or thinning")),
         Column(
             gettext("Before ({unit})", unit=mm),
@@ -114,12 +114,14 @@ def target_columns() -> tuple[Column, ...]:
             gettext("Noise factor"),
             gettext("Noise of the residuals divided by the given noise, at least 1"),
         ),
-        Column(gettext("Largest w"), gettext("Largest test value of its sightings")),
+        Column(
+            gettext("Largest w"), gettext("Largest test value w of the sightings of the target")
+        ),
         Column(
             gettext("Outliers"),
-            gettext("Points with a test value beyond {limit:x.2}", limit=CRITICAL),
+            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL),
         ),
-        Column(gettext("Remark"), gettext("What to check"), True),
+        Column(gettext("Remark"), gettext("Finding that should be checked"), True),
     )
 
 
@@ -128,8 +130,8 @@ def check_columns() -> tuple[Column, ...]:
     degrees = units.local_sign("°")
     columns = [
         Column(
-            gettext("Part of the data"),
-            gettext("Part that was omitted, or halves that were compared"),
+            gettext("Subset of the data"),
+            gettext("Line or target that was omitted, or halves that were compared"),
             True,
         )
     ]
@@ -149,9 +151,15 @@ def check_columns() -> tuple[Column, ...]:
     return (
         *columns,
         Column(
-            gettext("Verdict"), gettext("Whether the result agrees, or why there is none"), True
+            gettext("Agreement"),
+            gettext("Agreement with the result from all points, or between the halves"),
+            True,
         ),
-        Column(gettext("Reason"), gettext("Why there is no result, or what disagrees"), True),
+        Column(
+            gettext("Reason"),
+            gettext("Reason for the disagreement, or reason why there is no result"),
+            True,
+        ),
     )
 
 
@@ -173,7 +181,7 @@ def parameter_columns() -> tuple[Column, ...]:
         ),
         Column(
             gettext("Remark"),
-            gettext("Whether the parameter is significant, or why there is no value"),
+            gettext("Significance of the parameter, or reason why it has no value"),
             True,
         ),
     )
@@ -199,11 +207,11 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
     ]
     names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
-        cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("no test"))]
+        cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("not tested"))]
         return Row(cells, key, tip=gettext(FOLLOW))
     remark, disagrees = "", standing(test, critical) == "disagrees"
     if test.released:
-        remark = gettext("rejected: disagrees")
+        remark = gettext("rejected: disagrees with other sightings")
     elif disagrees:
         remark = gettext("w beyond {limit:x.2}", limit=critical)
     elif test.strays > 0.05 * residual.points:
@@ -255,9 +263,9 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         rejected = [r.sighting.line for r in tests if r.released]
         lines = sum(s.sighting.target == target.target for s in result.sightings)
         rough = target.noise > MUCH_NOISE
-        remark = gettext("rougher than given") if rough else ""
+        remark = gettext("noise larger than given") if rough else ""
         if rejected:
-            remark = gettext("rejected on {lines:names}", lines=rejected)
+            remark = gettext("rejected in {lines:names}", lines=rejected)
         test_values = [abs(r.w) for r in tests if not r.released]
         cells = [
             Cell(target.target),

@@ -35,8 +35,8 @@ def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str
         start = units.local_figure(1000 * low, "mm", ".4g")
         reach = f"{start}–{units.local_amount(1000 * high, 'mm', '.4g')}"
     return gettext(
-        "{reach}: before {before:n} points ({up_to_before:percent.1} % up to here), after "
-        "{after:n} points ({up_to_after:percent.1} % up to here)",
+        "{reach}: {before:n} points before ({up_to_before:percent.1} % cumulative), {after:n} "
+        "points after ({up_to_after:percent.1} % cumulative)",
         reach=reach, before=inside[0], up_to_before=up_to[0], after=inside[1],
         up_to_after=up_to[1],
     )  # fmt: skip
@@ -55,8 +55,8 @@ def profile_words(profile: Profile, against: Against, place: float) -> str:
     if not np.isfinite(profile.median_before[k]):
         return gettext("{reach}: too few distances ({count:n})", reach=reach, count=count)
     return gettext(
-        "{reach}: median {median_before} → {median_after}, 95 % {p95_before} → {p95_after}, "
-        "{count:n} distances",
+        "{reach}: median {median_before} → {median_after}, 95th percentile {p95_before} → "
+        "{p95_after}, {count:n} distances",
         reach=reach,
         median_before=_figure(profile.median_before[k]),
         median_after=_amount(profile.median_after[k]),
@@ -106,7 +106,7 @@ def profiles_text(comparison: PlaneComparison) -> str:
             cells = ("" if np.isnan(each[k]) else f"{1000 * each[k]:.3f}" for each in values)
             rows.append((title, f"{low:.3f}", f"{high:.3f}", str(n), *cells))
     heads = (
-        "Against", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
+        "Quantity", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
         "95 % before (mm)", "95 % after (mm)",
     )  # fmt: skip
     return _text(heads, rows)

@@ -35,7 +35,8 @@ class ExpectedFields(QWidget):
         )  # fmt: skip
         self._tilt = widgets.number(
             "expected_tilt", suffix="°", decimals=0, low=0, high=90, step=5,
-            tip=gettext("Expected tilt of the target from level: 0 flat, 90 upright"),
+            tip=gettext("Expected tilt of the target from horizontal: 0 is horizontal, 90 is "
+                        "vertical"),
         )  # fmt: skip
         self._tilt.setValue(90)
         row = QHBoxLayout(self)

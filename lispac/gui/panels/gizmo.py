@@ -69,7 +69,7 @@ class Gizmo(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("gizmo")
-        self.setAccessibleName(gettext("Scanner axes in the body axes"))
+        self.setAccessibleName(gettext("Scanner axes relative to the body axes"))
         self.setToolTip(
             gettext(
                 "Grey: axes of the vessel. Coloured: axes of the scanner, with the rotation "

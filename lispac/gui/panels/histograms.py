@@ -37,13 +37,13 @@ _COLUMNS = (
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _SHARES = (3, 4)
 """Of the width, for the tables and for the plot, until the user moves the handle between them."""
-PLOTS = (N_("Histogram"), N_("Histogram, shares"), N_("Against height and range"))
+PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
 SHARES, AGAINST = 1, 2
 """Places of two of the plots."""
 ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 POOLED = {
-    "reciprocal pairs": N_("{plane}: reciprocal pairs of lines, {model}"),
-    "all pairs": N_("{plane}: all pairs of lines, {model}"),
+    "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
+    "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
 """Which pairs the distances of a plane are from."""
 STATISTICS = (
@@ -123,7 +123,7 @@ class HistogramsPanel(QWidget):
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.copy_picture = widgets.button(
             gettext("Copy picture"), "copy_plot",
-            tip=gettext("Copy the plot to the clipboard as it is shown"),
+            tip=gettext("Copy the plot as shown to the clipboard"),
         )  # fmt: skip
         self.copy_picture.clicked.connect(self._copy_picture)
         self.copy_numbers = widgets.button(

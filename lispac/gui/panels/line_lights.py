@@ -57,7 +57,7 @@ class LineLights(QWidget):
             icon = theme.icon(WAITS, theme.MUTED) if quality is None else theme.light(quality.light)
             light.setPixmap(icon.pixmap(SIZE, SIZE))
             if quality is None:
-                judgement = gettext("Quality is being determined")
+                judgement = gettext("The quality is being computed")
             else:
                 judgement = quality_words(quality)
             rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")

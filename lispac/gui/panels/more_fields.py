@@ -20,8 +20,9 @@ class MoreFields(QWidget):
         self.points = widgets.number(
             f"{prefix}_min_points", suffix="", decimals=0, low=3, high=1_000_000, step=10,
             tip=gettext(
-                "Fewest points of the target in a line (default {count:n}). Fewer find small or "
-                "distant targets, more exclude fragments.",
+                "Minimum number of points of the target in a line (default {count:n}). A "
+                "smaller number finds small or distant targets; a larger number excludes "
+                "fragments.",
                 count=USUAL.min_points,
             ),
         )  # fmt: skip
@@ -29,8 +30,8 @@ class MoreFields(QWidget):
             f"{prefix}_max_tilt", suffix="°", decimals=1, low=0.1, high=90, step=1,
             tip=gettext(
                 "Largest angle between the normals of the target in two lines (default "
-                "{angle:deg.0}°). Use more for a poor prior boresight, less where other slopes are "
-                "near.",
+                "{angle:deg.0}°). Increase it for an inaccurate prior boresight; reduce it "
+                "near surfaces with other slopes.",
                 angle=USUAL.max_tilt,
             ),
         )  # fmt: skip
@@ -40,9 +41,9 @@ class MoreFields(QWidget):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow(gettext("Fewest points"), self.points)
-        form.addRow(gettext("Largest tilt"), self.tilt)
-        self.fold = Fold(gettext("More"), f"{prefix}_more", body)
+        form.addRow(gettext("Minimum points"), self.points)
+        form.addRow(gettext("Angle between normals"), self.tilt)
+        self.fold = Fold(gettext("More settings"), f"{prefix}_more", body)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.fold)
@@ -75,9 +76,11 @@ class MoreFields(QWidget):
         if value.min_points != USUAL.min_points:
             parts.append(gettext("at least {count:n} points", count=value.min_points))
         if value.max_tilt != USUAL.max_tilt:
-            parts.append(gettext("tilt at most {angle:deg.1}°", angle=value.max_tilt))
+            parts.append(
+                gettext("angle between normals at most {angle:deg.1}°", angle=value.max_tilt)
+            )
         if value.stop != USUAL.stop:
-            parts.append(gettext("stop criterion {value:x}", value=value.stop))
+            parts.append(gettext("RANSAC confidence {value:x}", value=value.stop))
         if value.seed != USUAL.seed:
-            parts.append(gettext("random seed {number}", number=value.seed))
+            parts.append(gettext("random-number seed {number}", number=value.seed))
         self.fold.set_summary(", ".join(parts))

@@ -91,8 +91,9 @@ class MountingSketch(QWidget):
         self.setAccessibleName(gettext("Mounting of the scanner on the vessel"))
         self.setToolTip(
             gettext(
-                "Scanner at its lever arm, to scale; the vessel is not to scale. Grey: body axes. "
-                "Coloured: scanner axes rotated by the prior boresight, small rotations enlarged."
+                "The lever arm of the scanner is to scale, the vessel is not. Grey: body axes. "
+                "Coloured: scanner axes rotated by the prior boresight, small rotations "
+                "enlarged."
             )
         )
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -22,15 +22,15 @@ _COLUMNS: tuple[tuple[str, str, Base], ...] = (
      N_("Median distance of the first line from the second along the normal (M3C2) after the "
         "calibration, positive towards the vessel"), "mm"),
     (N_("Plane offset before (mm)"),
-     N_("Distance of the plane of the first line from that of the second before the calibration, "
-        "positive towards the vessel"), "mm"),
+     N_("Distance between the planes fitted to the first and the second line before the "
+        "calibration; positive if the first is nearer to the vessel"), "mm"),
     (N_("Plane offset after (mm)"),
-     N_("Distance of the plane of the first line from that of the second after the calibration, "
-        "positive towards the vessel"), "mm"),
+     N_("Distance between the planes fitted to the first and the second line after the "
+        "calibration; positive if the first is nearer to the vessel"), "mm"),
     (N_("Tilt before (deg)"),
-     N_("Angle between the planes of the two lines before the calibration"), "°"),
+     N_("Angle between the planes fitted to the two lines before the calibration"), "°"),
     (N_("Tilt after (deg)"),
-     N_("Angle between the planes of the two lines after the calibration"), "°"),
+     N_("Angle between the planes fitted to the two lines after the calibration"), "°"),
 )  # fmt: skip
 """Title, tip and unit of the columns of a pair's values."""
 
@@ -39,9 +39,17 @@ def pairs_table() -> DiagnosticsTable:
     """The table, empty."""
     columns = [
         Column(
-            gettext("Lines"), gettext("The two lines; ⇄: run in opposite directions"), words=True
+            gettext("Lines"),
+            gettext("The two lines; ⇄: surveyed in opposite directions"),
+            words=True,
         ),
-        Column(gettext("Points"), gettext("Number of distances, in both directions together")),
+        Column(
+            gettext("Points"),
+            gettext(
+                "Number of distances from the first line to the "
+                "second and from the second to the first"
+            ),
+        ),
         *(Column(gettext(title), gettext(tip), base=base) for title, tip, base in _COLUMNS),
     ]
     return DiagnosticsTable("pairs_table", gettext("Pairs of lines before and after"), columns)
@@ -89,15 +97,15 @@ def _tip(pair: PairComparison) -> str:
     if signed is not None:
         lines.append(
             gettext(
-                "After: {count:n} places, 95 % interval of one place ± {half_width}; "
-                "{share:percent.0} % differ from zero",
+                "After: M3C2 distances at {count:n} places, 95 % confidence interval of one "
+                "distance ± {half_width}; {share:percent.0} % differ significantly from zero",
                 count=signed.n, half_width=_mm(signed.half_width), share=signed.significant,
             )
         )  # fmt: skip
     if planes is not None:
         lines.append(
             gettext(
-                "Plane offset after: {offset} ± {half_width} (95 %)",
+                "Plane offset after: {offset} ± {half_width} (95 % confidence interval)",
                 offset=_mm(planes.offset, sign=True), half_width=_mm(planes.offset_95),
             )
         )  # fmt: skip

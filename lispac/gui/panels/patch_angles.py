@@ -129,10 +129,10 @@ class PatchAngles(QWidget):
                 continue
             value = quantities.amount(float(np.degrees(boresight[k])), "°", 4, sign=True)
             if sigma is None:
-                texts = [gettext("found {angle}, no standard deviation", angle=value)]
+                texts = [gettext("result {angle}, no standard deviation", angle=value)]
             else:
                 spread = quantities.amount(float(np.degrees(sigma[k])), "°", 4)
-                texts = [gettext("found {angle} ± {sigma}", angle=value, sigma=spread)]
+                texts = [gettext("result {angle} ± {sigma}", angle=value, sigma=spread)]
             if curvature is not None:
                 distance = 1000 * float(np.radians(0.01) * curvature[k])
                 texts.append(

@@ -108,7 +108,7 @@ class CurvePicture(Picture):
     """Radians."""
 
     def __init__(self) -> None:
-        super().__init__("patch_curve", gettext("Mismatch over the angle"))
+        super().__init__("patch_curve", gettext("Mismatch as a function of the angle"))
         self.setToolTip(gettext("Click to set the angle"))
         self.setCursor(Qt.CursorShape.CrossCursor)
         self._title = ""

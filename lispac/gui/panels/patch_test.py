@@ -27,15 +27,15 @@ from lispac.patchtest.pairs import Kind, LinePair
 
 TITLE = N_("Patch test")
 EMPTY = N_(
-    "The patch test compares the lines at objects that several lines show: edges, pillars, poles. "
-    "Change roll, pitch and yaw until the colours coincide: the mismatch is smallest at the right "
-    "boresight. Find objects or click one in the view. Distant objects high above the vessel are "
-    "best; under bridges the position may be wrong."
+    "The patch test compares the lines at objects visible in several lines: edges, pillars, "
+    "poles. Find objects, or click one in the view. Then change roll, pitch and yaw until the "
+    "colours coincide: the correct boresight has the smallest mismatch. Distant objects high "
+    "above the vessel are best; positions under bridges may be wrong."
 )
 NO_DATA = N_("Open a project with at least two lines to compare them.")
 VIEWS = (N_("From above"), N_("From the front of the box"), N_("From the left of the box"))
 """Directions in which an object is shown."""
-CURVES = (N_("Object shown"), N_("All ticked objects"))
+CURVES = (N_("Displayed object"), N_("All ticked objects"))
 SIGNS: dict[Kind, str] = {
     "reciprocal": "⇄", "crossing": "✕", "oblique": "∠", "same direction": "⇉",
 }  # fmt: skip
@@ -75,11 +75,11 @@ class PatchTestPanel(QWidget):
         self.picture, self.curve, self.angles = LinesPicture(), CurvePicture(), PatchAngles()
         self.view = widgets.Choice(
             "patch_view", [gettext(each) for each in VIEWS],
-            gettext("Direction in which the object is shown"),
+            gettext("Direction from which the object is viewed"),
         )  # fmt: skip
         self.of = widgets.Choice(
             "patch_curve_of", [gettext(each) for each in CURVES],
-            gettext("Mismatch of the object shown, or of all ticked objects"),
+            gettext("Plot the mismatch of the displayed object or of all ticked objects"),
         )  # fmt: skip
         self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
         self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -127,24 +127,29 @@ class PatchTestPanel(QWidget):
         make = widgets.button
         self.propose = make(
             gettext("Find objects"), "patch_propose", primary=True,
-            tip=gettext("Find objects that several lines show, and put boxes around them"),
+            tip=gettext("Find objects that are visible in several lines, and put boxes around "
+                        "them"),
         )  # fmt: skip
         self.point = make(
-            gettext("Click one"), "patch_point",
-            tip=gettext("Put a box around the next point clicked in the view"),
+            gettext("Click object"), "patch_point",
+            tip=gettext("Put a box around the next point that you click in the view"),
         )  # fmt: skip
         self.target = make(
             gettext("Target"), "patch_target", tip=gettext("Put a box around the selected target")
         )
         self.box = make(
-            gettext("Clip box"), "patch_box", tip=gettext("Use the clip box of the view")
+            gettext("Clip box"),
+            "patch_box",
+            tip=gettext("Use the clip box of the view as the box of an object"),
         )
         self.remove = make(
             gettext("Remove"), "patch_remove", tip=gettext("Remove the object from the list")
         )
-        self.go = make(gettext("Go to"), "patch_go", tip=gettext("Zoom the view to the object"))
+        self.go = make(
+            gettext("Go to object"), "patch_go", tip=gettext("Zoom the view to the object")
+        )
         self.all = make(
-            gettext("Find all three"), "patch_find_all", primary=True,
+            gettext("Find all angles"), "patch_find_all", primary=True,
             tip=gettext(
                 "Find the three angles at which the mismatch of the ticked objects is smallest, "
                 "with their standard deviations"
@@ -155,8 +160,8 @@ class PatchTestPanel(QWidget):
             tip=gettext("Keep the result in the project as an alternative method"),
         )  # fmt: skip
         self.prior = make(
-            gettext("Reset to prior"), "patch_prior",
-            tip=gettext("Set all angles back to the prior boresight"),
+            gettext("Reset angles"), "patch_prior",
+            tip=gettext("Reset all angles to the prior boresight"),
         )  # fmt: skip
         for button, asked in (
             (self.propose, self.propose_asked), (self.point, self.point_asked),

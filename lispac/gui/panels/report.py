@@ -49,7 +49,8 @@ class ReportPanel(QWidget):
         self.details = widgets.button(
             gettext("Details for the report…"), "report_details",
             icon="card-account-details-outline",
-            tip=gettext("Surveyor, vessel, instruments and dates for the first page"),
+            tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
+                        "the report"),
         )  # fmt: skip
         layout.addWidget(self.details)
         layout.addLayout(self._choices())
@@ -58,18 +59,20 @@ class ReportPanel(QWidget):
         self.report = widgets.button(
             gettext("Export report…"), "export_report", icon="file-document-outline", primary=True,
             tip=gettext(
-                "PDF, HTML, JSON or tables (CSV in a ZIP), with pictures of the view before and "
-                "after (Ctrl+E)"
+                "Write the report as PDF, HTML, JSON or tables (CSV in a ZIP file), with "
+                "pictures of the view before and after (Ctrl+E)"
             ),
         )  # fmt: skip
         self.preview = widgets.button(
             gettext("Preview"), "preview_report", icon="eye-outline",
-            tip=gettext("Show the pages as they will be printed, and save them as PDF"),
+            tip=gettext("Show the pages of the report as they will be printed, and save them "
+                        "as PDF"),
         )  # fmt: skip
         self.lines = widgets.button(
             gettext("Export georeferenced lines…"), "export_lines", icon="export-variant",
             tip=gettext(
-                "Each line as LAZ or LAS in a coordinate system of your choice (Ctrl+Shift+E)"
+                "Write each line as LAZ or LAS in a coordinate system of your choice "
+                "(Ctrl+Shift+E)"
             ),
         )  # fmt: skip
         self.details.clicked.connect(self.details_asked)
@@ -156,10 +159,11 @@ class ReportPanel(QWidget):
         self.template.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         choose = widgets.button(
             gettext("Choose…"), "report_template_choose",
-            tip=gettext("TOML file with logo, company, texts, page, convention and language"),
+            tip=gettext("Template of the report: TOML file with logo, company, texts, page, "
+                        "convention and language"),
         )  # fmt: skip
         self.no_template = widgets.button(
-            gettext("Clear"), "report_template_none", tip=gettext("Use no template")
+            gettext("Clear"), "report_template_none", tip=gettext("Do not use a template")
         )
         choose.clicked.connect(self.template_asked)
         self.no_template.clicked.connect(lambda: self._changed(None))
@@ -170,7 +174,7 @@ class ReportPanel(QWidget):
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(gettext("Language"), self.language)
-        form.addRow(gettext("Page"), self.page)
+        form.addRow(gettext("Paper size"), self.page)
         form.addRow(gettext("Also give angles for"), self.convention)
         form.addRow(gettext("Template"), row)
         for box in (self.language, self.page, self.convention):

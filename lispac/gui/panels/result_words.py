@@ -56,17 +56,17 @@ def _millimetres(metres: float) -> str:
 
 
 FIT = (
-    N_("The residuals agree with the given standard deviations. The uncertainties can be used."),
+    N_("The residuals agree with the given standard deviations. The uncertainties are realistic."),
     N_("The residuals agree with the given standard deviations."),
 )
 """Text without and with warnings; so are the others."""
 FIT_WITH_SURFACES = (
     N_(
-        "The residuals agree with the given standard deviations if the targets differ by "
-        "{most:mm.1} mm from line to line. The uncertainties can be used."
+        "The residuals agree with the given standard deviations if the target surfaces vary by "
+        "{most:mm.1} mm from line to line. The uncertainties are realistic."
     ),
     N_(
-        "The residuals agree with the given standard deviations if the targets differ by "
+        "The residuals agree with the given standard deviations if the target surfaces vary by "
         "{most:mm.1} mm from line to line."
     ),
 )
@@ -102,9 +102,9 @@ def verdict(
         return gettext(FIT[0] if is_sure else FIT[1])
     if result.variance_factor > 1:
         return gettext(
-            "The residuals are larger than expected from the given standard deviations. Look for a "
-            "target that is not flat or a sighting with points of something else, or give larger "
-            "standard deviations."
+            "The residuals are larger than expected from the given standard deviations. Check "
+            "for a target that is not flat or a sighting with points of another object, or "
+            "enter larger standard deviations."
         )
     return gettext(SMALL_RESIDUALS[0] if is_sure else SMALL_RESIDUALS[1])
 

@@ -30,7 +30,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project, Triple
 
-_FRAMES = N_("The boresight turns the LiDAR frame into the body frame (forward, left, up):")
+_FRAMES = N_("The boresight rotates LiDAR coordinates into the body frame (forward, left, up):")
 _FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
 _ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
 _SIGNS = N_(
@@ -223,9 +223,7 @@ class ResultsPanel(QWidget):
         verdict = result_words.verdict(result, project.cross_checks, project_doubts(project))
         components = "; ".join(result_words.component_texts(result))
         if components:
-            found = gettext(
-                "Standard deviations from the data: {components}.", components=components
-            )
+            found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
         self._verdict.setText(verdict)
 
@@ -289,7 +287,7 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
         ("± 95 %", gettext("Half width of the 95 % confidence interval: 1.96 σ"), interval, False),
     ]
     if truth is not None:
-        tip = gettext("Angle that the survey was simulated with")
+        tip = gettext("Angle used to simulate the survey")
         rows.append((gettext("True value"), tip, np.array(truth), True))
     _set_rows(table, [row[0] for row in rows])
     for k, (_, tip, angles, sign) in enumerate(rows):
@@ -322,8 +320,8 @@ def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
             if row != column and abs(value) > HIGH_CORRELATION:
                 item.setToolTip(
                     gettext(
-                        "These two angles are hardly separated. Add a target with another "
-                        "orientation."
+                        "These two angles are highly correlated. Add a target with another "
+                        "orientation to separate them."
                     )
                 )
 

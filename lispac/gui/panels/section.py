@@ -19,12 +19,12 @@ TITLE = N_("Section")
 LAID = (N_("Vertical"), N_("Horizontal"))
 """Orientations of the strip."""
 EMPTY = N_(
-    "Select a target to see all lines in a strip across it, or cut between two points. Where the "
-    "lines are displaced or tilted against each other, the boresight is wrong."
+    "Select a target to show a section of all lines across it, or cut a section between two "
+    "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
 ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 AHEAD, HEIGHT = N_("Distance from the vessel (m)"), N_("Height (m)")
-RIGHT, ALONG = N_("To the right (m)"), N_("Distance from the first point (m)")
+RIGHT, ALONG = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
 """Titles of the axes."""
 PRINT_DPI = 200
 
@@ -45,23 +45,24 @@ class SectionPanel(QWidget):
         self.laid = widgets.Choice(
             "section_laid", [gettext(title) for title in LAID],
             gettext(
-                "Vertical: height against distance, shows errors of roll and pitch. Horizontal: "
-                "seen from above, shows errors of yaw."
+                "A vertical section shows height against distance and reveals errors of roll "
+                "and pitch. A horizontal section shows the lines from above and reveals errors "
+                "of yaw."
             ),
         )  # fmt: skip
         self.thickness = widgets.number(
             "section_thickness", suffix=" m", decimals=2, low=0.01, high=50, step=0.05,
-            tip=gettext("Thickness of the strip"),
+            tip=gettext("Thickness of the section"),
         )  # fmt: skip
         self.size = widgets.number(
             "section_size", suffix=" m", decimals=1, low=0.2, high=200, step=0.5,
-            tip=gettext("Height of the section, and its width across a target"),
+            tip=gettext("Height of the section, and its width at a target"),
         )  # fmt: skip
         self.thickness.setValue(0.20)
         self.size.setValue(2.0)
         self.points = widgets.button(
             gettext("Between two points"), "section_points",
-            tip=gettext("Cut from one clicked point to another"),
+            tip=gettext("Cut a section between two clicked points"),
         )  # fmt: skip
         self.save_picture = widgets.button(
             gettext("Save…"), "section_save",
@@ -77,7 +78,7 @@ class SectionPanel(QWidget):
         self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
-        form.addRow(gettext("Strip"), self.laid)
+        form.addRow(gettext("Orientation"), self.laid)
         form.addRow(gettext("Thickness"), self.thickness)
         form.addRow(gettext("Size"), self.size)
         self._left = QVBoxLayout()

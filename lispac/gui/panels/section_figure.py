@@ -20,8 +20,8 @@ MOST = 60_000
 TEXT, SMALL = 9, 8
 TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 TITLES_WITH_DISTANCE = {
-    "prior": N_("Before: up to {distance} apart"),
-    "estimated": N_("After: up to {distance} apart"),
+    "prior": N_("Before: lines up to {distance} apart"),
+    "estimated": N_("After: lines up to {distance} apart"),
 }
 
 
@@ -88,8 +88,8 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
     axes.spines[:].set_color(theme.MUTED)
     axes.set_title(title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
     if not total:
-        axes.text(0.5, 0.5, gettext("No points here"), transform=axes.transAxes, ha="center",
-                  color=theme.MUTED, fontsize=TEXT)  # fmt: skip
+        axes.text(0.5, 0.5, gettext("No points in the section"), transform=axes.transAxes,
+                  ha="center", color=theme.MUTED, fontsize=TEXT)  # fmt: skip
     _bar(axes, 2 * half)
 
 

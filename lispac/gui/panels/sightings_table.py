@@ -229,13 +229,17 @@ class SightingsModel(QAbstractTableModel):
         lines = [
             gettext(
                 Plural(
-                    "{target} in line {line}: {count:n} point, RMS {rms} to their own plane",
-                    "{target} in line {line}: {count:n} points, RMS {rms} to their own plane",
+                    "{target} in line {line}: {count:n} point, RMS distance to the plane of "
+                    "the sighting {rms}",
+                    "{target} in line {line}: {count:n} points, RMS distance to the plane of "
+                    "the sighting {rms}",
                 )
                 if target.shape == "plane"
                 else Plural(
-                    "{target} in line {line}: {count:n} point, RMS {rms} to their own sphere",
-                    "{target} in line {line}: {count:n} points, RMS {rms} to their own sphere",
+                    "{target} in line {line}: {count:n} point, RMS distance to the sphere of "
+                    "the sighting {rms}",
+                    "{target} in line {line}: {count:n} points, RMS distance to the sphere of "
+                    "the sighting {rms}",
                 ),
                 target=target.name, line=sighting.line, count=len(sighting.indices),
                 rms=_mm(sighting.rms),
@@ -248,7 +252,7 @@ class SightingsModel(QAbstractTableModel):
             lines.append(f"{EDITED} {edited}")
         if sighting.one_in > 1:
             lines.append(
-                gettext("Subsample: one in {count:n} of the points near the seed",
+                gettext("Subsampled: one of every {count:n} points near the seed is used",
                         count=sighting.one_in)
             )  # fmt: skip
         result = None if self._project is None else self._project.result
@@ -273,7 +277,7 @@ class SightingsTable(QTableView):
         super().__init__()
         self.setTabKeyNavigation(False)
         self.setObjectName("sightings_table")
-        self.setAccessibleName(gettext("Targets by lines"))
+        self.setAccessibleName(gettext("Targets by line"))
         self.sightings = SightingsModel()
         self.setModel(self.sightings)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -357,15 +361,15 @@ def quality_words(quality: SightingQuality) -> str:
     if quality.share_shown is not None:
         lines.append(
             gettext(
-                "Extent observed: {share:percent.0} % of what the other lines show",
+                "Extent observed: {share:percent.0} % of the extent in the other lines",
                 share=quality.share_shown,
             )
         )
     if quality.smear is not None:
         lines.append(
             gettext(
-                "Up to {rms} (RMS) may be caused by the prior boresight; this part is not counted "
-                "before the calibration",
+                "The prior boresight may cause up to {rms} of the RMS. Before the calibration, "
+                "the quality does not include this share.",
                 rms=_mm(quality.smear),
             )
         )
@@ -373,8 +377,10 @@ def quality_words(quality: SightingQuality) -> str:
         lines.append(
             gettext(
                 Plural(
-                    "Computed with the estimated boresight from {count:n} point, RMS {rms}",
-                    "Computed with the estimated boresight from {count:n} points, RMS {rms}",
+                    "Quality computed with the estimated boresight from {count:n} point, RMS "
+                    "{rms}",
+                    "Quality computed with the estimated boresight from {count:n} points, RMS "
+                    "{rms}",
                 ),
                 count=quality.points, rms=_mm(quality.rms),
             )
@@ -394,7 +400,9 @@ def _of_name(target: Target, role: int) -> Any:
         role_name = (
             gettext("{target}: used in the adjustment", target=target.name)
             if is_target
-            else gettext("{target}: validation plane, not adjusted", target=target.name)
+            else gettext(
+                "{target}: validation plane, not used in the adjustment", target=target.name
+            )
         )
         return role_name + "\n" + gettext("Tick to use the target")
     return None
@@ -413,11 +421,11 @@ def _of_missing(target: Target, line: str, role: int) -> Any:
             )  # fmt: skip
         else:
             reason = gettext(
-                "{target} in line {line}: not searched for", target=target.name, line=line
+                "{target} was not searched for in line {line}", target=target.name, line=line
             )
         action = gettext(
-            "To pick it in this line alone, choose the line under “Search in” in step 2 and "
-            "Ctrl+click."
+            "To pick the target in this line only, choose the line under “Search in” in step 2 "
+            "and Ctrl+click the target."
         )
         return f"{reason}\n{action}"
     return None

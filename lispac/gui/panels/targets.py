@@ -245,8 +245,7 @@ class TargetsPanel(QWidget):
         self._validation = widgets.button(
             " " + gettext("Validation plane"), "role_validation",
             tip=gettext(
-                "Plane not used in the adjustment, on which the lines are compared before and "
-                "after (F7)"
+                "Plane used only to compare the lines before and after the adjustment (F7)"
             ),
         )  # fmt: skip
         group = QButtonGroup(self)
@@ -291,13 +290,13 @@ class TargetsPanel(QWidget):
         self.line_choice.setObjectName("line_choice")
         self.line_choice.addItem(gettext(ALL_LINES))
         self.line_choice.setToolTip(
-            gettext("Choose one line to search it alone, where the search of all lines failed")
+            gettext("Lines to search. Choose a single line if the search in all lines failed.")
         )
         self.line_choice.currentIndexChanged.connect(self._explain)
         self._radius = widgets.number(
             "search_radius", suffix=" m", decimals=2, low=0, high=100, step=0.25,
             tip=gettext(
-                "Largest distance of a point of the target from the seed. 0: the default is used."
+                "Largest distance of a point of the target from the seed. 0 uses the default."
             ),
         )  # fmt: skip
         self._radius.setSpecialValueText(gettext("default"))
@@ -321,7 +320,7 @@ class TargetsPanel(QWidget):
         form.addRow(gettext("Search in"), self.line_choice)
         form.addRow(gettext("Search radius"), self._radius)
         form.addRow(gettext("Threshold"), self._threshold)
-        form.addRow(gettext("Expected"), self._expected)
+        form.addRow(gettext("Expected size"), self._expected)
         return form
 
     def _buttons(self) -> QGridLayout:
@@ -347,7 +346,7 @@ class TargetsPanel(QWidget):
         )  # fmt: skip
         self.list_seeds = widgets.button(
             gettext("From a file…"), "list_seeds", icon="format-list-bulleted",
-            tip=gettext("Pick all targets of a list of coordinates (Shift+F3)"),
+            tip=gettext("Read seed coordinates from a file and detect their targets (Shift+F3)"),
         )  # fmt: skip
         rows = QGridLayout()
         rows.addWidget(self.type_seed, 0, 0)
@@ -406,7 +405,7 @@ def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
     name = QTableWidgetItem(theme.swatch(colour), target.name)
     name.setFlags(flags | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsEditable)
     name.setCheckState(Qt.CheckState.Checked if target.used else Qt.CheckState.Unchecked)
-    name.setToolTip(gettext("Tick to use it. Double-click or press F2 to rename it."))
+    name.setToolTip(gettext("Tick to use the target. Double-click or press F2 to rename it."))
     role = QTableWidgetItem(gettext("target") if is_target else gettext("validation"))
     shape = QTableWidgetItem(_shape_name(target.shape))
     if target.shape == "sphere":

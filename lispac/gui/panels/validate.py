@@ -37,8 +37,8 @@ class ValidatePanel(QWidget):
         layout.addWidget(
             widgets.label(
                 gettext(
-                    "The lines are compared with each other, cloud to cloud, on planes not used in "
-                    "the adjustment."
+                    "The lines are compared with each other, cloud to cloud, on planes that "
+                    "are not used in the adjustment."
                 ),
                 "hint", wrap=True,
             )
@@ -65,8 +65,8 @@ class ValidatePanel(QWidget):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setHorizontalSpacing(10)
         form.setVerticalSpacing(6)
-        form.addRow(gettext("Distance to"), self.kind)
-        form.addRow(gettext("Points of the fit"), self.neighbours)
+        form.addRow(gettext("Surface model"), self.kind)
+        form.addRow(gettext("Points per fit"), self.neighbours)
         layout.addLayout(form)
         self.kind.currentIndexChanged.connect(self._kind_chosen)
         self.neighbours.valueChanged.connect(lambda _value: self.model_changed.emit(self.model))

@@ -38,7 +38,7 @@ TURN_S = 0.015
 
 NO_PROJECT = N_("Open or create a project to see its warnings.")
 NOTHING = N_("No warnings about the files, the targets or the result.")
-GO = N_("Click one, or press Enter on it, to go to its cause.")
+GO = N_("Click a warning, or press Enter on it, to go to its cause.")
 WAITING = N_("A new estimate is running. These warnings are from before the change.")
 
 

@@ -26,9 +26,9 @@ from lispac.gui.viewport.base import Array, Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.language import N_, gettext
 
-EMPTY_TITLE = N_("Nothing loaded yet")
+EMPTY_TITLE = N_("No project open")
 EMPTY_HINT = N_("Open or create a project to see its lines here")
-HELP = N_("Drag: rotate   ·   Shift+drag: move   ·   Wheel: zoom   ·   Ctrl+click: set a seed")
+HELP = N_("Drag: rotate   ·   Shift+drag: pan   ·   Wheel: zoom   ·   Ctrl+click: pick a target")
 
 AXES = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Their colours in the scheme."""
