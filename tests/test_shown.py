@@ -113,7 +113,7 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     printed = capsys.readouterr().out
     assert "\nSpread, one line left out " in printed
     assert printed.count("half") == 1
-    assert "first half minus second half of the data (roll " in printed
+    assert "first minus second half of the data (roll " in printed
     assert "Spread,<br>one line left out" in spread_words(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
     assert [name for name in names if "half" in name] == ["First minus second half"]
