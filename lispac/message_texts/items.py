@@ -59,8 +59,8 @@ TEXTS: Mapping[str, Template] = {
         "deviation)"
     ),
     "item.halves": N_(
-        "first half minus second half of the data ({angle} {difference:deg.4+} deg, {ratio:x.1} "
-        "times its standard deviation)"
+        "first minus second half of the data ({angle} {difference:deg.4+} deg, {ratio:x.1} times "
+        "its standard deviation)"
     ),
     "suspect.heights": N_("heights"),
     "suspect.time": N_("time"),
